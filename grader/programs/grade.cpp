@@ -3,8 +3,7 @@
 #include "grader/service/judging/grade.h"
 
 #include "grader/base/files.h"
-#include "grader/door/clone.h"
-#include "grader/door/dialect.h"
+#include "grader/programs/grade_intake.h"
 #include "grader/programs/grade_options.h"
 #include "grader/report/hints.h"
 #include "grader/report/status_line.h"
@@ -13,10 +12,6 @@
 #include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
-#include "grader/service/intake/flatten_boxed.h"
-#include "grader/service/intake/prepare_submission.h"
-#include "grader/service/intake/read_boxed.h"
-#include "grader/service/intake/unpack_boxed.h"
 #include "grader/service/process/spawn.h"
 #include "grader/tasks.h"
 #include "pt/end_of_program.h"
@@ -127,79 +122,6 @@ std::vector<std::string> asked_for(const build::Config& config, const GradeOptio
   if (asked.empty()) throw pt::Error(points_file + ": nothing earns a point");
   return asked;
 }
-
-// The files of a submission that was named, wherever they are in it: as for a class. The folder
-// student/ is read as it is.
-class Intake {
- public:
-  // It delegates, so that the destructor removes the copies if this throws.
-  Intake(const build::Config& config, const GradeOptions& options)
-      : Intake(fmt::format("{}/intake/{}", config.work, getpid())) {
-    if (!options.is_named) {
-      found_.folder = base::submission_root(options.submission);
-      return;
-    }
-    if (std::filesystem::is_directory(options.submission) &&
-        door::is_clone(base::submission_root(options.submission))) {
-      take_clone(config, options);
-      return;
-    }
-    std::vector<intake::TaskFile> tasks;
-    for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
-    const intake::Unpack unpack = [&](const std::string& archive, const std::string& folder,
-                                      intake::Extent extent) {
-      return intake::unpack_boxed(config.root, config.work, base::programs_folder(),
-                                  options.require_isolation)(archive, folder, extent);
-    };
-    const auto next = [&] {
-      std::filesystem::create_directories(work_);
-      return std::filesystem::path(work_) / std::to_string(++folders_);
-    };
-    found_ =
-        intake::prepare_submission(options.submission, options.submission, {tasks, unpack, next});
-    const bool is_folder = std::filesystem::is_directory(options.submission);
-    // Somebody who has handed in nothing has attempted nothing.
-    if (found_.nothing && is_folder) found_ = {options.submission, "", found_.problem};
-    if (found_.problem.empty()) found_.folder = base::submission_root(found_.folder);
-  }
-  ~Intake() {
-    std::error_code ignored;
-    std::filesystem::remove_all(work_, ignored);
-  }
-  Intake(const Intake&) = delete;
-  Intake& operator=(const Intake&) = delete;
-
-  const intake::Prepared& found() const { return found_; }
-  bool is_copied() const { return folders_ > 0; }
-  // Of a clone of the course: what the course asks for.
-  const std::optional<door::Dialect>& dialect() const { return dialect_; }
-
- private:
-  explicit Intake(std::string work) : work_(std::move(work)) {}
-
-  // A clone of the course's skeleton becomes twelve task files.
-  void take_clone(const build::Config& config, const GradeOptions& options) {
-    const auto read = [&] {
-      const std::string texts = config.root + "/grader/door";
-      const door::Clone clone = door::read_clone(base::submission_root(options.submission));
-      const door::Generation generation = door::course_of(clone).generation;
-      dialect_ = options.dialect == "none" ? door::no_dialect(texts, generation)
-                                           : door::load_dialect(texts, generation);
-      const std::string folder = work_ + "/" + std::to_string(++folders_);
-      if (!clone.problem.empty()) return intake::Prepared{folder, clone.problem};
-      const sandbox::Tier tier =
-          intake::tier_for_reading(config.root, config.work, options.require_isolation);
-      return intake::Prepared{folder, intake::flatten_boxed(options.submission, clone, config.root,
-                                                            base::programs_folder(), tier, folder)};
-    };
-    found_ = intake::read_handed_in(options.submission, options.submission, read);
-  }
-
-  std::string work_;
-  int folders_ = 0;
-  intake::Prepared found_;
-  std::optional<door::Dialect> dialect_;
-};
 
 // Returns whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
 // or a condition of the preprocessor can contain another version of the function.
