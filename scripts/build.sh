@@ -60,10 +60,11 @@ has_settings() {
 }
 nothing_to_do() { ninja -C "$build/$1" -n "${@:2}" 2>/dev/null | grep -q 'no work to do'; }
 
+# compile_learners_files TARGET...: succeeds if these targets do, or may do.
+compile_learners_files() { case " $* " in *student* | *.sanitized* | *' render '*) ;; *) return 1 ;; esac; }
+
 # is_newest PRESET TARGET...: succeeds if what the targets compile of the learner's files was compiled from their text of now.
-is_newest() {
-  case " ${*:2} " in *student* | *.sanitized* | *' render '*) bash "$root/scripts/ninja.sh" --check "$build/$1" ;; esac
-}
+is_newest() { ! compile_learners_files "${@:2}" || bash "$root/scripts/ninja.sh" --check "$build/$1"; }
 
 # configure PRESET: runs CMake with all mixtures of implementations that were asked for, if one is new or a file that CMake
 # read has changed. FIRSTLIGHT_WERROR=ON makes warnings errors. Returns 2 if CMake fails; explain_configure shows why.
@@ -119,7 +120,7 @@ name_changed_files() {
 build() {
   local preset=$1 steps
   shift
-  case " $* " in *student* | *.sanitized* | *' render '*) expect_task_files ;; esac
+  ! compile_learners_files "$@" || expect_task_files
   setup
   if [ -z "$tree_is_locked" ] && has_settings "$preset" && nothing_to_do "$preset" build.ninja &&
     is_newest "$preset" "$@" && nothing_to_do "$preset" "$@"; then
