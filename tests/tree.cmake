@@ -3,9 +3,10 @@ set(build ARGUMENTS ${PROJECT_BINARY_DIR})
 foreach(test layers_test comments_test)
   firstlight_test(${test} quick PLAIN PATHS SOURCES rules/${test}.cpp LIBRARIES grader_base)
 endforeach()
-# Mistakes in the framework, each of which a test must find: that they fit their files, and, long, that they are found.
+# Mistakes in the framework, each of which a test must find: that they fit their files, and, long, that they are found; and small
+# changes of it, other ones each time.
 firstlight_script_test(edits quick rules/edits.sh)
-firstlight_script_test(mutants_fit quick mutants/run.sh ARGUMENTS --check)
+firstlight_script_test(mutants_fit quick mutants/run.py ARGUMENTS --check)
 # Small changes of correct solutions, each of which a promise must find: that the reasons for others fit, and, long, that they are found.
 firstlight_script_test(small_changes_fit quick mutants/small_changes.py ARGUMENTS ${PROJECT_BINARY_DIR} --list)
 firstlight_script_test(pages quick rules/pages.py)
@@ -41,6 +42,7 @@ firstlight_script_test(faults rest commands/faults.sh ${build} NEEDS grade grade
 # These build the project again: minutes, or with ccache the first time only.
 firstlight_script_test(handout long commands/handout.sh ${build} NEEDS compiled graded reference_objects)
 firstlight_script_test(autograder long commands/autograder.sh ${build} NEEDS grade graded)
-firstlight_script_test(mutants long mutants/run.sh ARGUMENTS ${PROJECT_BINARY_DIR}/mutants TIMEOUT 14400)
+firstlight_script_test(mutants long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants TIMEOUT 7200)
+firstlight_script_test(drawn_mutants long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants --draw 200 TIMEOUT 14400)
 firstlight_script_test(small_changes long mutants/small_changes.py ARGUMENTS ${PROJECT_BINARY_DIR} TIMEOUT 28800)
 firstlight_script_test(adding_a_task long commands/adding_a_task.sh ARGUMENTS ${PROJECT_BINARY_DIR}/../adding_a_task)

@@ -25,6 +25,7 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
     while (i < text.size() && is_digit(text[i])) ++i;
     return i;
   };
+  if (at > 0 && (in_word(text[at - 1]) || text[at - 1] == '.')) return at;
   std::size_t end = digits(at);
   if (end == at) return at;
   if (end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1])) end = digits(end + 1);
@@ -41,8 +42,7 @@ std::string replaced(const std::string& text,
                      const std::function<std::string(const std::string&)>& replace) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
-    const bool starts = i == 0 || (!in_word(text[i - 1]) && text[i - 1] != '.');
-    const std::size_t end = starts ? end_of_number(text, i) : i;
+    const std::size_t end = end_of_number(text, i);
     if (end == i) {
       out += text[i++];
       continue;
@@ -76,8 +76,7 @@ std::string rounded(const std::string& number, int digits) {
 std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t i = 0; i < text.size();) {
-    const bool starts = i == 0 || (!in_word(text[i - 1]) && text[i - 1] != '.');
-    const std::size_t end = starts ? end_of_number(text, i) : i;
+    const std::size_t end = end_of_number(text, i);
     if (end > i) {
       const bool negative = i > 0 && text[i - 1] == '-';
       numbers.push_back((negative ? -1 : 1) *

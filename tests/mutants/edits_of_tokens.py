@@ -1,4 +1,4 @@
-"""The small changes of a C++ file, by its tokens (small_changes.py)."""
+"""The small changes of a C++ file, by its tokens."""
 
 import re
 
@@ -138,3 +138,12 @@ def changes(source):
             if k < len(tokens) and tokens[k].text == ";" and tokens[k - 1].text != ")" or \
                     k < len(tokens) and tokens[k].text == ";" and i not in places and i + 1 not in places:
                 yield token.start, tokens[k].end, ";"
+
+
+def changed_files(source):
+    """Each changed text, with its change."""
+    all_files = {}
+    for start, end, new in changes(source):
+        all_files.setdefault(source[:start] + new + source[end:], (start, end, new))
+    all_files.pop(source, None)
+    return all_files

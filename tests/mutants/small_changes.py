@@ -32,44 +32,11 @@ import sys
 import tempfile
 import textwrap
 
-from edits_of_tokens import changes
+from edits_of_tokens import changed_files
+from reasons import ROOT, reasons, shown
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-TABLE = ROOT / "tests/mutants/small_changes.txt"
 SECONDS = 2  # of processor time that a program may take, and four times what it takes unchanged
 TOGETHER = 100  # changes in one program
-
-
-def shown(source, start, end, new):
-    """The changed lines before and after, as small_changes.txt has them."""
-    a = source.rfind("\n", 0, start) + 1
-    b = (source + "\n").find("\n", end)
-    joined = lambda text: " ".join(text.split())
-    return joined(source[a:b]), joined(source[a:start] + new + source[end:b])
-
-
-def reasons():
-    """The (base, line, changed line) that small_changes.txt has a reason for. (base, "", "float") stands for each double that is a float."""
-    found, base, line, why = set(), "", "", ""
-    for number, text in enumerate(TABLE.read_text().splitlines(), 1):
-        def fail(what):
-            sys.exit(f"{TABLE}:{number}: {what}")
-        mark, rest = text[:2], " ".join(text[2:].split())
-        if text.startswith("== "):
-            base, line, why = text[3:], "", ""
-            if not (ROOT / base).exists():
-                fail(f"there is no {base}; write where it is now")
-        elif mark == "- ":
-            line = rest
-            if line not in " ".join((ROOT / base).read_text().split()):
-                fail(f"{base} has no line '{line}'; the reason may not hold any more")
-        elif mark == "+ ":
-            if not why:
-                fail("write the reason above it")
-            found.add((base, line, rest))
-        elif not text.startswith("#"):
-            line, why = "", text
-    return found
 
 
 def digest(text):
@@ -214,15 +181,6 @@ def good(texts, bad):
 def bases_of(slug):
     """The reference of a task, and two more right solutions."""
     return list(ROOT.glob(f"reference/*/{slug}.cpp")) + sorted((ROOT / "grader/tasks" / slug / "right").glob("*.cpp"))[:2]
-
-
-def changed_files(source):
-    """Each changed text, with its change."""
-    all_files = {}
-    for start, end, new in changes(source):
-        all_files.setdefault(source[:start] + new + source[end:], (start, end, new))
-    all_files.pop(source, None)
-    return all_files
 
 
 def try_base(task, base, kept, known, pool):

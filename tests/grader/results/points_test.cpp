@@ -217,6 +217,20 @@ TEST(points, are_read_with_what_a_task_says_beside_the_defaults) {
   EXPECT_EQ(points.at("hit_box").pictures.at("y"), 0);
 }
 
+TEST(points, are_one_for_a_promise_and_one_for_a_picture_if_the_file_says_nothing) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/points.json";
+  pt::write_file(path, R"({"default": {}, "tasks": {"hit_box": {"promise": 2}}})");
+  const Points points = load_points(path);
+  for (const auto& [slug, task] : points) {
+    EXPECT_EQ(task.promise, slug == "hit_box" ? 2 : 1);
+    EXPECT_EQ(task.picture, 1);
+    EXPECT_EQ(task.too_noisy, 0);
+    EXPECT_EQ(task.keeps_state, 0);
+    EXPECT_EQ(task.one_cause, 1);
+  }
+}
+
 TEST(points, are_refused_with_what_is_wrong_and_where) {
   const auto task = [](const std::string& inside) {
     return R"({"default": {}, "tasks": {"hit_box": )" + inside + "}}";

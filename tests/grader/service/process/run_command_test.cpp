@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -38,6 +40,22 @@ TEST(CauseOfEnd, tells_what_was_killed_from_outside) {
   for (const char* other : {"SEGV", "ABRT", "FPE", "XCPU"}) EXPECT_FALSE(signal(other)) << other;
 }
 
+TEST(CauseOfEnd, is_what_the_program_printed_before_it_aborted) {
+  const auto said = [](const std::string& words) { return cause_of_end(SIGABRT, words); };
+  EXPECT_EQ(said(""), "it called abort()");
+  EXPECT_EQ(said("terminate called after throwing an instance of 'E'\n  what():  too far\n"),
+            "terminate called after throwing an instance of 'E'; what():  too far");
+  EXPECT_EQ(said("  what():  of an earlier one\n"), "it called abort()");
+  EXPECT_EQ(said("worker: hit_box.cpp:12: bool pt::f(): Assertion `x > 0' failed.\n"),
+            "Assertion `x > 0' failed. (line 12)");
+  EXPECT_EQ(said("/usr/include/optional:477: f(): Assertion 'this->_M_is_engaged()' failed.\n"),
+            "the value of an empty std::optional was read (--from student --sanitize names the "
+            "line)");
+  EXPECT_EQ(said("vector:1: Assertion '__n < this->size()' failed.\n"),
+            "an index is not below the size of its std::vector, std::array or std::span (--from "
+            "student --sanitize names the line)");
+}
+
 TEST(CommandLimit, ends_what_prints_without_end) {
   const CommandResult endless = run_script("while :; do echo more; done", milliseconds(300));
   EXPECT_TRUE(endless.timed_out);
@@ -60,16 +78,18 @@ TEST(CommandLimit, leaves_alone_what_prints_slowly_and_ends) {
 
 // Opens a file in memory with this text under this descriptor number, and closes any older one.
 base::Descriptor file_at(int number, const std::string& text) {
-  const base::Descriptor any(memfd_create("text", MFD_CLOEXEC));
-  EXPECT_EQ(pwrite(any.number(), text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
-  EXPECT_EQ(dup2(any.number(), number), number);
+  base::Descriptor any(memfd_create("text", MFD_CLOEXEC));
+  const base::Descriptor far(fcntl(any.number(), F_DUPFD_CLOEXEC, 900));
+  any.close();  // it may have the wanted number
+  EXPECT_EQ(pwrite(far.number(), text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
+  EXPECT_EQ(dup2(far.number(), number), number);
   return base::Descriptor(number);
 }
 
-// Prints three files, with descriptors `first` + 1 to 3. The child has them in the reverse order.
+// Prints three files, with descriptors from `first` on. The child has them in the reverse order.
 std::string printed_from(int first) {
-  const base::Descriptor out = file_at(first, ""), a = file_at(first + 1, "a"),
-                         b = file_at(first + 2, "b"), c = file_at(first + 3, "c");
+  const base::Descriptor a = file_at(first, "a"), b = file_at(first + 1, "b"),
+                         c = file_at(first + 2, "c"), out = file_at(first + 3, "");
   Child child{{"/bin/cat", "/dev/fd/3", "/dev/fd/4", "/dev/fd/5"}, {}, {}, "", {}};
   child.descriptors = {a.number(), out.number(), out.number(), c.number(), b.number(), a.number()};
   child.limits.cpu_seconds = 5;
@@ -83,7 +103,7 @@ std::string printed_from(int first) {
 
 // The parent's descriptors may have any numbers, also the numbers that the child's will have.
 TEST(Descriptors, become_those_of_the_child_whatever_their_numbers) {
-  for (const int first : {8, 20, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 250, 796, 800}) {
+  for (const int first : {3, 8, 20, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 250, 796, 800}) {
     EXPECT_EQ(printed_from(first), "cba exit status 0") << first;
   }
 }
