@@ -31,6 +31,13 @@ constexpr double kCosine = 3e-6;
 
 constexpr const char* kSampler = "draws_from_the_sampler_alone";
 
+// Shadow rays of many programs end at 1 - kCutOff of the way to the light. Where the offset at their start is longer than the rest, the
+// light's own surface may hide it.
+constexpr double kCutOff = 5e-5;
+
+// A call may draw so many numbers of its own, between those of its lights.
+constexpr int kMostOwn = 100'000;
+
 Explanation by_value(const char* promise, Rgb got, Rgb value, const std::string& of) {
   return {Fault::value, promise,
           brief(got),   "f L cos / pdf of the " + of + " of this call, which make " + brief(value),
@@ -70,11 +77,13 @@ double add_draw(const pt::Scene& scene, const pt::Tracer& exact, const pt::Surfa
   const double cosine = dot(point.n, sample.wi);
   if (!(cosine > -kCosine) || is_black(sample.radiance)) return 0;
   light.is_lit = light.is_lit || cosine > 0;
-  const pt::Ray shadow = shadow_ray(point, sample.wi, sample.distance);
-  if (exact.occluded(scene.primitives, shadow)) return 0;
   const Rgb part = (point.albedo / pt::kPi) * sample.radiance / sample.pdf;
-  if (cosine > 0) light.sum += part * cosine;
-  return kCosine * max_channel(part);
+  const double whole = max_channel(part) * std::max(cosine, kCosine);
+  const pt::Ray shadow = shadow_ray(point, sample.wi, sample.distance);
+  const bool is_hidden = exact.occluded(scene.primitives, shadow);
+  if (!is_hidden && cosine > 0) light.sum += part * cosine;
+  if (pt::kOffset * point.scale > kCutOff * sample.distance) return whole;
+  return is_hidden ? 0 : kCosine * max_channel(part);
 }
 
 // Returns whether the light can bring light to the point. A light that is wholly below the horizon, or that turns its dark side
@@ -149,7 +158,11 @@ Explanation explain_lights(const pt::Scene& scene, const pt::Tracer& exact,
                            const pt::SurfacePoint& point, int samples, const Told& told) {
   std::vector<OfLight> lights(scene.lights.size());
   double more = 0;
-  bool has_drawn = false;
+  State last = told.before;  // of the sampler, after the last draw
+  const auto goes_on = [&](const State& state) {
+    return numbers_between(last, state, kMostOwn) >= 0;
+  };
+  bool is_one_sampler = true;
   for (const Event& event : told.events) {
     const auto* draw = std::get_if<LightDraw>(&event);
     if (draw == nullptr) continue;
@@ -161,7 +174,8 @@ Explanation explain_lights(const pt::Scene& scene, const pt::Tracer& exact,
               {},
               told.result};
     }
-    has_drawn = has_drawn || draw->before != draw->after;
+    is_one_sampler = is_one_sampler && goes_on(draw->before);
+    last = draw->after;
     const bool delta = is_delta(scene.lights[draw->light]);
     more +=
         add_draw(scene, exact, point, draw->sample, lights[draw->light]) / (delta ? 1 : samples);
@@ -180,8 +194,14 @@ Explanation explain_lights(const pt::Scene& scene, const pt::Tracer& exact,
     }
     if (light.draws > 0) sum += light.sum / light.draws;
   }
-  if (has_drawn && told.before == told.after)
+  if (last != told.before && told.before == told.after) {
     return explain_sampler(kSampler, told.before, told.after);
+  }
+  if (!is_one_sampler || !goes_on(told.after)) {
+    return {Fault::structure, kSampler,
+            "a draw with another sampler, or with numbers that were drawn before",
+            "draws with the sampler of the call, each as the one before left it"};
+  }
   if (close(told.result, sum, 1e-4, more)) return {};
   return by_value(promise_of(scene), told.result, sum, "draws");
 }

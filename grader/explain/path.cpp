@@ -1,6 +1,8 @@
 #include "grader/explain/explain.h"
 #include "pt/geometry/spawn_ray.h"
 
+#include <algorithm>
+
 namespace grader::explain {
 
 using pt::PathSettings;
@@ -103,7 +105,9 @@ class Walk {
                   std::to_string(settings_.to));
       }
     }
+    count_survival(numbers_between(last_, told_.after));
     check_end();
+    check_going_on();
     if (found_.fault == Fault::structure) return found_;
     if (!close(told_.result, sum_, 1e-4, more_)) {
       return {Fault::value,
@@ -134,8 +138,14 @@ class Walk {
             "an inner call with another sampler, or with one that went back",
             "inner calls with the sampler of the call, as it was left");
     }
+    count_survival(drawn);
     since_direction_ += drawn;
     last_ = after;
+  }
+
+  // One number that the task drew itself is that of the survival.
+  void count_survival(int drawn) {
+    if (drawn == 1) survived_ += pt::Sampler(last_).next_1d() < settings_.survival;
   }
 
   void follow(Vertex& from, const pt::BsdfSample& sample, Vec3 way, const TracedRay& traced) {
@@ -156,6 +166,17 @@ class Walk {
     if (from.bounce > 1) next.throughput /= settings_.survival;
     next.bounce = from.bounce + 1;
     path_.push_back(next);  // `from` is not valid from here on
+  }
+
+  // A path goes on from a later point if a number says so.
+  void check_going_on() {
+    const auto gone_on = std::ranges::count_if(
+        path_, [](const Vertex& vertex) { return vertex.is_left && vertex.bounce > 1; });
+    if (settings_.survival >= 1 || gone_on <= survived_) return;
+    wrong("does_not_depend_on_survival",
+          "a path that goes on from " + std::to_string(gone_on) + " points after the first, with " +
+              std::to_string(survived_) + " random numbers below the survival",
+          "one such number for each of them", Fault::habit);
   }
 
   // A path ends because it left the scene, at the last bounce, where nothing is reflected, or by a random number.
@@ -209,6 +230,7 @@ class Walk {
   const Told& told_;
   State last_;           // of the sampler, after the last inner call
   int since_direction_;  // numbers that the task itself drew after the last direction
+  int survived_ = 0;     // its own numbers that are below the survival
   std::vector<Vertex> path_;
   Rgb sum_;
   double more_ = 0;  // the error of a throughput that float does not have

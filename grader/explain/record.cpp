@@ -84,6 +84,7 @@ Recording::~Recording() { pt::recorder.calls = outer_; }
 
 std::vector<Event> events_of(const pt::Scene& scene, std::span<const pt::Call> calls) {
   std::vector<Event> events;
+  events.reserve(calls.size());
   for (std::size_t i = 0; i < calls.size();) {
     const std::optional<Event> event = event_of(scene, calls[i]);
     if (event) events.push_back(*event);

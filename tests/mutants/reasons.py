@@ -7,12 +7,15 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = ROOT / "tests/mutants/small_changes.txt"
 
 
-def shown(source, start, end, new):
-    """The changed lines before and after, as small_changes.txt has them."""
-    a = source.rfind("\n", 0, start) + 1
-    b = (source + "\n").find("\n", end)
-    joined = lambda text: " ".join(text.split())
-    return joined(source[a:b]), joined(source[a:start] + new + source[end:b])
+def shown(source, *edits):
+    """The changed lines before and after, as small_changes.txt has them: those of more edits with dots between them."""
+    before, after = [], []
+    for start, end, new in sorted(edits):
+        a = source.rfind("\n", 0, start) + 1
+        b = (source + "\n").find("\n", end)
+        before.append(" ".join(source[a:b].split()))
+        after.append(" ".join((source[a:start] + new + source[end:b]).split()))
+    return " ... ".join(before), " ... ".join(after)
 
 
 def reasons():
@@ -28,7 +31,8 @@ def reasons():
                 fail(f"there is no {base}; write where it is now")
         elif mark == "- ":
             line = rest
-            if line not in " ".join((ROOT / base).read_text().split()):
+            text = " ".join((ROOT / base).read_text().split())
+            if not all(piece in text for piece in line.split(" ... ")):
                 fail(f"{base} has no line '{line}'; the reason may not hold any more")
         elif mark == "+ ":
             if not why:

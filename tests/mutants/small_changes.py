@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""small_changes.py BUILD [TASK]... [--list] [--jobs N]
+"""small_changes.py BUILD [TASK]... [--guards | --pairs N --seed S] [--list] [--jobs N]
 
 Tries every small change of right code: the reference of a task, and two more right solutions. Each operator, comparison,
 constant, sign, order of arguments, index, condition, statement and variable is changed alone (King and Offutt 1991, A Fortran
@@ -9,6 +9,9 @@ A change that no promise finds is printed in the form of small_changes.txt. It i
 the reason), within the contract's precision (as well), or a mistake that escapes: then a promise needs better inputs. A change
 whose object file is the same, byte by byte, is the same function, and is not printed (Papadakis 2015, Trivial Compiler
 Equivalence). One that takes more than SECONDS and four times the time of the unchanged file counts as too slow: it runs on and on.
+
+With --guards, each change is a guard that people write, at each place (guards.py). With --pairs, it is two edits, small changes or guards;
+a seed draws N pairs of each file.
 
 Results are kept in BUILD/small_changes, so that a run can be stopped and started again; they hold as long as the properties'
 object files stay the same. --list counts the changes and runs nothing. The exit status is 1 if a change survives that
@@ -32,6 +35,7 @@ import sys
 import tempfile
 import textwrap
 
+import guards
 from edits_of_tokens import changed_files
 from reasons import ROOT, reasons, shown
 
@@ -183,10 +187,18 @@ def bases_of(slug):
     return list(ROOT.glob(f"reference/*/{slug}.cpp")) + sorted((ROOT / "grader/tasks" / slug / "right").glob("*.cpp"))[:2]
 
 
-def try_base(task, base, kept, known, pool):
+def changes_of(source, options):
+    """Each changed text, with its edits."""
+    if options.guards:
+        return guards.guarded_files(source)
+    if options.pairs:
+        return guards.paired_files(source, options.pairs, options.seed)
+    return {text: (edit,) for text, edit in changed_files(source).items()}
+
+
+def try_base(task, base, todo, kept, known, pool):
     """Counts of the outcomes, and the changes that survive."""
     source = base.read_text()
-    todo = changed_files(source)
     promises, seconds = task.judge_unchanged(source)
     key = lambda text: f"{task.slug} {task.state} {digest(text + promises)}"
     new = [text for text in todo if key(text) not in known]
@@ -197,13 +209,16 @@ def try_base(task, base, kept, known, pool):
             with kept.open("a") as file:
                 file.write(f"{key(text)}\t{outcome}\n")
     counts = collections.Counter(known[key(text)] for text in todo)
-    return counts, [(*shown(source, *todo[text]), todo[text][2]) for text in todo if known[key(text)] == "SURVIVES"]
+    return counts, [(*shown(source, *todo[text]), todo[text][0][2]) for text in todo if known[key(text)] == "SURVIVES"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=textwrap.dedent(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=lambda p: pathlib.Path(p).resolve())
     parser.add_argument("tasks", nargs="*")
+    parser.add_argument("--guards", action="store_true")
+    parser.add_argument("--pairs", type=int)
+    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_intermixed_args()
@@ -211,7 +226,7 @@ def main():
     known_reasons, escapes = reasons(), 0
     if options.list:
         for base in [base for slug in slugs for base in bases_of(slug)]:
-            print(f"{len(changed_files(base.read_text())):5} {base.relative_to(ROOT)}")
+            print(f"{len(changes_of(base.read_text(), options)):5} {base.relative_to(ROOT)}")
         return
     kept = options.build / "small_changes"
     known = dict(line.split("\t") for line in kept.read_text().splitlines()) if kept.exists() else {}
@@ -220,7 +235,7 @@ def main():
             task = Task(options.build, slug)
             for base in bases_of(slug):
                 place = base.relative_to(ROOT)
-                counts, survivors = try_base(task, base, kept, known, pool)
+                counts, survivors = try_base(task, base, changes_of(base.read_text(), options), kept, known, pool)
                 new = [(line, changed) for line, changed, word in survivors
                        if not {(str(place), line, changed), (str(place), "", word)} & known_reasons]
                 escapes += len(new)

@@ -36,6 +36,7 @@ class SceneCall : public WildInput {
   }
   std::string text() const override {
     std::ostringstream text;
+    text << text_of(scene_);
     showValue(situation_, text);
     return text.str() + "\n" + asks_.text();
   }

@@ -114,11 +114,10 @@ void Plainness::add(const Explanation& call) {
   with_habit += call.fault == Fault::none;
 }
 
-WildResult make_wild_calls(const WildTask& task, std::uint64_t seed) {
+WildResult make_wild_calls(const WildTask& task, const Plainness& usual, std::uint64_t seed) {
   WildResult result;
-  for (const Explanation& call : task.usual(seed)) result.usual.add(call);
-  if (!result.usual.is_plain()) return result;
-  Judge judge(task.calls, result.usual.keeps_habit(), result.wild);
+  if (!usual.is_plain()) return result;
+  Judge judge(task.calls, usual.keeps_habit(), result.wild);
   for (int i = 0; i < task.inputs; ++i) {
     const std::uint64_t own = seed * 0x9e3779b97f4a7c15 + static_cast<std::uint64_t>(i);
     RandomNumbers random(own);
@@ -128,7 +127,7 @@ WildResult make_wild_calls(const WildTask& task, std::uint64_t seed) {
     if (!why) continue;
     result.failure = {input, own, *why, i};
     Plainness of_smaller;
-    Judge again(task.calls, result.usual.keeps_habit(), of_smaller);
+    Judge again(task.calls, usual.keeps_habit(), of_smaller);
     make_smaller(again, *result.failure);
     return result;
   }
@@ -138,15 +137,24 @@ WildResult make_wild_calls(const WildTask& task, std::uint64_t seed) {
 namespace {
 
 // For who wants to know how plain a file is (--gtest_output=xml).
-void record(const WildResult& result) {
-  const auto add = [](const std::string& name, int value) {
-    testing::Test::RecordProperty(name, value);
+void record(const std::string& kind, const Plainness& seen) {
+  const auto add = [&](const std::string& name, int value) {
+    testing::Test::RecordProperty(kind + name, value);
   };
-  add("usual_calls", result.usual.calls);
-  add("usual_explained", result.usual.explained);
-  add("usual_with_habit", result.usual.with_habit);
-  add("wild_calls", result.wild.calls);
-  add("wild_explained", result.wild.explained);
+  add("_calls", seen.calls);
+  add("_explained", seen.explained);
+  add("_with_habit", seen.with_habit);
+}
+
+// How plain the submission's file is. Its usual calls are made once for all promises of the task.
+const Plainness& plainness(const WildTask& task) {
+  static const Plainness usual = [&] {
+    Plainness seen;
+    for (const Explanation& call : task.usual(seed())) seen.add(call);
+    record("usual", seen);
+    return seen;
+  }();
+  return usual;
 }
 
 }  // namespace
@@ -160,7 +168,10 @@ void expect_explained(const WildTask& task) {
   for_all(
       [&] {
         const bool is_new = !result;
-        if (is_new) record(result.emplace(make_wild_calls(task, seed())));
+        if (is_new) {
+          result = make_wild_calls(task, plainness(task), seed());
+          record("wild", result->wild);
+        }
         if (!result->failure || result->failure->why.promise != promise) return;
         const WildFailure& failure = *result->failure;
         if (!is_new) failure.input->ask(task.calls, failure.seed);  // for a debugger
@@ -168,6 +179,16 @@ void expect_explained(const WildTask& task) {
         fail("one call, in a scene of any kind", failure.why.got, failure.why.expected);
       },
       1);
+}
+
+bool needs_no_mean(const WildTask& task, const std::function<Explanations(int n)>& ask,
+                   int samples) {
+  if (!makes_wild_calls || !plainness(task).is_explained()) return false;
+  constexpr int kSamples = 400, kMinCalls = 10, kMaxCalls = 200;
+  const Explanations calls =
+      ask(samples > kLong ? 1 : std::clamp(kSamples / std::max(1, samples), kMinCalls, kMaxCalls));
+  return std::ranges::all_of(calls,
+                             [](const Explanation& call) { return call.fault == Fault::none; });
 }
 
 }  // namespace grader::check

@@ -50,6 +50,7 @@ struct Plainness {
 
   bool is_plain() const { return calls > 0 && explained >= kPlain * calls; }
   bool keeps_habit() const { return calls > 0 && with_habit >= kPlain * calls; }
+  bool is_explained() const { return calls > 0 && with_habit == calls; }
 };
 
 struct WildFailure {
@@ -60,10 +61,10 @@ struct WildFailure {
 };
 
 struct WildResult {
-  Plainness usual, wild;               // no wild calls if the file is not plain
+  Plainness wild;                      // no wild calls if the file is not plain
   std::optional<WildFailure> failure;  // the first wild call that breaks a promise, made smaller
 };
-WildResult make_wild_calls(const WildTask& task, std::uint64_t seed);
+WildResult make_wild_calls(const WildTask& task, const Plainness& usual, std::uint64_t seed);
 
 // From now on no wild calls are made. This is for work in the skeleton of a course, where rays start at a fixed distance: it is shown
 // scenes of one size, and wild scenes have parts of very different sizes.
@@ -72,5 +73,11 @@ void never_wild();
 // The current promise fails if a wild call breaks it. The calls are made once for all promises of the task. A file that has
 // failed before is not asked: it has its sentence.
 void expect_explained(const WildTask& task);
+
+// Returns whether a mean would say nothing more: all usual calls of this file are explained, and so are some calls in the scene of
+// the mean. `ask` makes n of them, each of which takes about so many samples. A result then follows from random numbers that the
+// judge knows, by the formula of the contract.
+bool needs_no_mean(const WildTask& task, const std::function<Explanations(int n)>& ask,
+                   int samples);
 
 }  // namespace grader::check

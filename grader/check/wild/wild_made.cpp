@@ -1,10 +1,7 @@
-// The scene of a WildScene: its surfaces and lights in the world, and its text.
-#include "grader/check/language/show.h"
+// The scene of a WildScene: its surfaces and lights in the world.
 #include "grader/check/wild/wild_scene.h"
 
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace grader::check {
 
@@ -18,11 +15,6 @@ class Maker {
  public:
   explicit Maker(const WildScene& from)
       : from_(from), pose_{pt::frame_from_normal(from.up), from.size * from.away, from.size} {
-    text_ = fmt::format(
-        "here the point is at (0, 0, 0) and its normal along z; the test scales this by {}, "
-        "rotates "
-        "it, and moves it by {}\n",
-        brief(pose_.size), brief(pose_.shift));
     add_patch();
     for (const WildLight& light : from.lights) add(light);
     for (const WildSurface& surface : from.surfaces) add(surface);
@@ -38,7 +30,7 @@ class Maker {
                       0.999 * from_.seen_from * pose_.size, 1.001 * from_.seen_from * pose_.size};
     const auto hit = scene_.tracer.closest(scene_.primitives, ray);
     if (!hit || hit->primitive != 0) return std::nullopt;
-    Situation s{scene_, surface_point(scene_, ray, *hit), {}, text_, {}, {}};
+    Situation s{scene_, surface_point(scene_, ray, *hit), {}, {}, {}, {}};
     // The tracer refers to nothing, but must be made for the primitives where they are now.
     s.scene.tracer = pt::Tracer(pt::Engine::linear, s.scene.primitives);
     return s;
@@ -69,48 +61,29 @@ class Maker {
              material(from_.albedo, from_.emission));
     pt::Triangle& patch = scene_.primitives.triangles[0];
     if (from_.true_normal.z != 1) patch.n0 = patch.n1 = patch.n2 = pose_.direction({0, 0, 1});
-    text_ += fmt::format("the point is on a triangle of side {}", brief(s));
-    if (from_.true_normal.z != 1)
-      text_ += fmt::format(", whose true normal is {}", brief(from_.true_normal));
-    text_ += "\n";
   }
 
   void add(const WildLight& light) {
-    const std::string body = light.has_body ? ", and a surface" : "";
-    const auto told = [&](const std::string& kind, const std::string& shape) {
-      text_ += fmt::format("{} {}, radiance {}{}\n", kind, shape, brief(light.radiance), body);
-    };
     const int made = light.has_body ? material(pt::gray(0.5), light.radiance) : 0;
     switch (light.kind) {
       case Kind::rectangle:
-        told("rectangle light",
-             fmt::format("at {}, sides {} {}", brief(light.at), brief(light.u), brief(light.v)));
         return add_rectangle(light, made);
       case Kind::ball:
-        told("ball of light",
-             fmt::format("at {}, radius {}", brief(light.at), brief(light.radius)));
         scene_.lights.emplace_back(
             pt::SphereLight{pose_.point(light.at), pose_.size * light.radius, light.radiance});
         if (light.has_body) ball(light.at, light.radius, made);
         return;
       case Kind::cube:
-        told("closed mesh light: a cube", fmt::format("around {}, edges {} {}", brief(light.at),
-                                                      brief(light.u), brief(light.v)));
         return add_cube(light, made);
       case Kind::point:
-        text_ += fmt::format("point light at {}, intensity {}\n", brief(light.at),
-                             brief(light.radiance));
         scene_.lights.emplace_back(
             pt::PointLight{pose_.point(light.at), pose_.size * pose_.size * light.radiance});
         return;
       case Kind::directional:
-        text_ += fmt::format("directional light from {}, irradiance {}\n", brief(light.at),
-                             brief(light.radiance));
         scene_.lights.emplace_back(
             pt::DirectionalLight{-pose_.direction(light.at), light.radiance});
         return;
       case Kind::sky:
-        text_ += fmt::format("sky, radiance {}\n", brief(light.radiance));
         scene_.lights.emplace_back(pt::AmbientLight{light.radiance});
         return;
     }
@@ -149,16 +122,10 @@ class Maker {
 
   void add(const WildSurface& surface) {
     const int made = material(surface.albedo, surface.emission);
-    const std::string glows =
-        is_black(surface.emission) ? "" : ", emission " + brief(surface.emission);
     if (surface.radius > 0) {
       ball(surface.at, surface.radius, made);
-      text_ += fmt::format("ball at {}, radius {}, albedo {}{}\n", brief(surface.at),
-                           brief(surface.radius), brief(surface.albedo), glows);
     } else {
       triangle(surface.at, surface.p1, surface.p2, made);
-      text_ += fmt::format("triangle {} {} {}, albedo {}{}\n", brief(surface.at), brief(surface.p1),
-                           brief(surface.p2), brief(surface.albedo), glows);
     }
   }
 
@@ -176,17 +143,12 @@ class Maker {
       triangle(c[0], c[1], c[2], made);
       triangle(c[0], c[2], c[3], made);
     }
-    text_ += fmt::format(
-        "a closed cube of edge {} around {}, whose walls have the albedos {} {} ...{}\n",
-        brief(2 * room.half), brief(room.center), brief(room.albedo[0]), brief(room.albedo[1]),
-        is_black(room.emission[0]) ? "" : " and glow");
   }
 
   const WildScene& from_;
   Pose pose_;
   pt::Scene scene_;
   std::vector<int> ball_materials_;  // spheres come after all triangles
-  std::string text_;
 };
 
 }  // namespace

@@ -56,8 +56,11 @@ struct WildScene {
 // Three in five have a room, if rooms are wanted.
 WildScene wild_scene(RandomNumbers& random, bool rooms);
 
-// The scene, and its point as a ray finds it. None if the ray meets something else before.
+// The scene without its text, and its point as a ray finds it. None if the ray meets something else before.
 std::optional<Situation> made(const WildScene& scene);
+
+// The scene in words, one line per object.
+std::string text_of(const WildScene& scene);
 
 // Scenes with one thing less, or one number that is simpler.
 std::vector<WildScene> smaller(const WildScene& scene);

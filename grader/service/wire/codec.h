@@ -151,6 +151,7 @@ struct Codec<std::vector<Element>> {
       const std::string_view bytes = in.raw(length * sizeof(Element));
       if (length > 0) std::memcpy(static_cast<void*>(list.data()), bytes.data(), bytes.size());
     } else {
+      list.reserve(length);
       for (std::size_t i = 0; i < length; ++i) list.push_back(wire::get<Element>(in));
     }
     return list;
@@ -187,7 +188,7 @@ struct Codec<std::optional<T>> {
 template <class... Alternatives>
 struct Codec<std::variant<Alternatives...>> {
   using Variant = std::variant<Alternatives...>;
-  static constexpr std::size_t kMinSize = 1;
+  static constexpr std::size_t kMinSize = 1 + std::min({Codec<Alternatives>::kMinSize...});
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = 9;
   static void put(Writer& out, const Variant& value) {

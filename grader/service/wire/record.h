@@ -49,7 +49,10 @@ struct Codec<explain::State> {
 template <class Event>
 requires requires(Event& event) { Asked<Event>::of(event); }
 struct Codec<Event> {
-  static constexpr std::size_t kMinSize = 1;
+  static constexpr std::size_t kMinSize =
+      []<class... Asks>(std::type_identity<std::tuple<Asks...>>) {
+        return (Codec<std::remove_cvref_t<Asks>>::kMinSize + ...);
+      }(std::type_identity<decltype(Asked<Event>::of(std::declval<Event&>()))>());
   static constexpr bool kPlain = false;
   static constexpr std::uint64_t kCode = 12;
   static void put(Writer& out, const Event& event) {

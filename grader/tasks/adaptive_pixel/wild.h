@@ -87,7 +87,7 @@ inline WildPointer any_pixel(RandomNumbers& random) {
 
 inline Explanations usual_calls(std::uint64_t seed) {
   Explanations all;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 500; ++i) {
     RandomNumbers random(seed + static_cast<std::uint64_t>(i));
     const AdaptiveSettings settings{random.whole(16, 160), random.whole(2, 16),
                                     by_size(random, 1e-2, 0.5)};

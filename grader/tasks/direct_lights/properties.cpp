@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -108,6 +109,7 @@ PROMISE(direct_lights, adds_the_lights_up) {
   for_all([] { expect_always(*lit_by(some_hidden_or_below), any_samples()); }, 30);
   // Lights that share random numbers would be bright and dark together.
   const auto expect_no_correlation = [](const Situation& s, int draws, int samples) {
+    if (needs_no_mean(s, samples)) return;
     const std::vector<Rgb> found = estimates(s, draws, samples);
     for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
       const double r = correlation(found, a, b);
@@ -177,11 +179,13 @@ PROMISE(direct_lights, averages_over_the_samples) {
 PROMISE(direct_lights, takes_the_samples_asked_for) {
   for_all(
       [] {
+        constexpr std::array kSamples{1, 2, 3, 7, 16, 100, 1000};
         const Situation s = *lit_by(half_hidden_lamp);
+        if (std::ranges::all_of(kSamples, [&](int n) { return needs_no_mean(s, n); })) return;
         const std::vector<Rgb> of_one = estimates(s, 4000, 1);
         expect_mean("the mean, 1 sample per call", mean_of(of_one), s.expected,
                     noise_of_lights(s, 1), tolerance(s));
-        for (const int samples : {2, 3, 7, 16, 100, 1000}) {
+        for (const int samples : kSamples | std::views::drop(1)) {
           expect_less_noise(s, of_one, samples, std::clamp(32000 / samples, 100, 2000));
         }
       },
@@ -194,6 +198,7 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
         [&] {
           const Situation s = *light;
           const int samples = draw("samples per call", whole(65, 300));
+          if (needs_no_mean(s, 1) && needs_no_mean(s, samples)) return;
           expect_less_noise(s, estimates(s, 4000, 1), samples, 200);
         },
         1);
@@ -216,6 +221,7 @@ PROMISE(direct_lights, takes_the_samples_asked_for) {
         const Situation s = *lit_by([](SceneMaker& maker) {
           for (int k = 0; k < 40; ++k) lamp(maker);
         });
+        if (needs_no_mean(s, 1) && needs_no_mean(s, 200)) return;
         expect_less_noise(s, estimates(s, 1000, 1), 200, 30);
       },
       1);

@@ -16,8 +16,9 @@ using Lights = DirectCall<&pt::direct_lights, &explain::explain_lights, 2>;
 inline int wild_samples(RandomNumbers& random) {
   const int kind = random.whole(1, 2000);
   if (kind == 1) return 3000;
-  if (kind <= 10) return 300;
-  return std::array{1, 1, 1, 2, 2, 3, 5, 5, 8, 16, 30, 100}[random.whole(0, 11)];
+  if (kind <= 8) return 300;
+  if (kind <= 20) return 100;
+  return std::array{1, 1, 1, 2, 2, 3, 3, 5, 5, 8, 16, 30}[random.whole(0, 11)];
 }
 
 inline Explanations usual_calls(std::uint64_t seed) {
@@ -43,6 +44,13 @@ inline WildTask wild_task() {
             const WildScene scene = wild_scene(random, false);
             return SceneCall<Lights>::make(scene, {wild_samples(random)});
           }};
+}
+
+inline bool needs_no_mean(const Situation& s, int samples) {
+  const Lights asks{samples};
+  return check::needs_no_mean(
+      wild_task(), [&](int n) { return asks.ask(s, n, draw("seed", sampler_seed())); },
+      asks.samples() * std::max(1, static_cast<int>(s.scene.lights.size())));
 }
 
 }  // namespace grader::check::direct_lights_inputs

@@ -54,13 +54,13 @@ class WildPixel : public WildInput {
 };
 
 inline WildPointer any_pixel(RandomNumbers& random) {
-  const int samples = by_chance(random, 0.002) ? 40000 : static_cast<int>(by_size(random, 1, 600));
+  const int samples = by_chance(random, 0.0015) ? 40000 : static_cast<int>(by_size(random, 1, 300));
   return std::make_shared<WildPixel>(wild_radiances(random), samples);
 }
 
 inline Explanations usual_calls(std::uint64_t seed) {
   Explanations all;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 500; ++i) {
     RandomNumbers random(seed + static_cast<std::uint64_t>(i));
     const WildPixel pixel(wild_radiances(random), random.whole(1, 20));
     for (const auto& each : pixel.ask(1, seed)) all.push_back(each);

@@ -59,11 +59,12 @@ struct Paths {
 
 inline Paths any_paths(RandomNumbers& random) {
   PathSettings s;
-  s.to = std::array{1, 2, 2, 3, 3, 3, 4, 4, 5, 5, 8, 20, 40, 70, 100}[random.whole(0, 14)];
+  s.to = std::array{
+      1, 2, 2, 2, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 8, 20, 100}[random.whole(0, 19)];
   s.from = by_chance(random, 0.3) ? s.to : random.whole(0, std::min(s.to, 3));
   s.survival = std::array{0.05, 0.3, 0.7, 1.0}[random.whole(0, 3)];
   if (s.to > 8) s.survival = by_chance(random, 0.7) ? 1 : 0.95;
-  s.light_samples = std::array{1, 1, 1, 2, 3, 16}[random.whole(0, 5)];
+  s.light_samples = std::array{1, 1, 1, 1, 2, 2, 3, 16}[random.whole(0, 7)];
   s.direct = by_chance(random, 0.5) ? Direct::lights : Direct::hemisphere;
   return {s};
 }
@@ -92,6 +93,16 @@ inline WildTask wild_task() {
             const WildScene scene = wild_scene(random, true);
             return SceneCall<Paths>::make(scene, any_paths(random));
           }};
+}
+
+inline bool needs_no_mean(const pt::Scene& scene, const pt::SurfacePoint& point,
+                          const PathSettings& settings, std::uint64_t seed) {
+  const Paths asks{settings};
+  return check::needs_no_mean(
+      wild_task(), [&](int n) { return asks.ask(scene, point, n, seed); }, asks.samples());
+}
+inline bool needs_no_mean(const Case& c) {
+  return needs_no_mean(c.room.scene, c.room.point, c.settings, c.seed);
 }
 
 }  // namespace grader::check::trace_path_inputs

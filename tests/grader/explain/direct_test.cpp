@@ -126,9 +126,9 @@ TEST(explain_hemisphere, compares_the_result) {
   EXPECT_GT(off.value.r, 0);
 }
 
-Rgb by_lights(const World& w, pt::Sampler& sampler, int count, int first = 0) {
+Rgb by_lights(const World& w, pt::Sampler& sampler, int count, int first = 0, int end = 3) {
   Rgb sum;
-  for (int k = first; k < std::ssize(w.scene.lights); ++k) {
+  for (int k = first; k < std::min(end, static_cast<int>(w.scene.lights.size())); ++k) {
     const int draws = is_delta(w.scene.lights[k]) ? 1 : count;
     for (int i = 0; i < draws; ++i) {
       const pt::LightSample s = sample_light(w.scene.lights[k], w.point.p, sampler);
@@ -174,6 +174,27 @@ TEST(explain_lights, sees_a_sampler_that_stands) {
     return by_lights(w, own, kSamples);
   });
   EXPECT_EQ(copy.promise, "draws_from_the_sampler_alone");
+}
+
+TEST(explain_lights, sees_numbers_that_are_used_twice) {
+  const Explanation again = of_lights([](const World& w, pt::Sampler& s) {
+    const pt::Sampler start = s;
+    const Rgb sum = by_lights(w, s, kSamples, 2);
+    s = start;
+    return sum + by_lights(w, s, kSamples, 0, 2);
+  });
+  EXPECT_EQ(again.promise, "draws_from_the_sampler_alone");
+}
+
+// A task may draw numbers of its own.
+TEST(explain_lights, numbers_in_between_are_explained) {
+  const Explanation own = of_lights([](const World& w, pt::Sampler& s) {
+    for (int i = 0; i < 1000; ++i) s.next_1d();
+    const Rgb sum = by_lights(w, s, kSamples);
+    s.next_1d();
+    return sum;
+  });
+  EXPECT_EQ(own.got, "");
 }
 
 TEST(explain_lights, compares_the_result) {

@@ -42,6 +42,7 @@ struct Wrong {
   bool new_sampler = false;  // for direct light
   bool turns_rays = false;   // the ray is not along the direction
   double factor = 1;         // of the result
+  bool never_ends = false;   // whatever the number is
 };
 
 // One path by the method of the contract. It keeps its own record.
@@ -67,7 +68,7 @@ Told path(const World& w, const Wrong& wrong, std::uint64_t seed) {
     if (is_wanted && bounce == wrong.twice_direct) direct();
     if (bounce == w.settings.to || bounce == wrong.ends_at) break;
     if (bounce > 1) {
-      if (!(sampler.next_1d() < w.settings.survival)) break;
+      if (!(sampler.next_1d() < w.settings.survival) && !wrong.never_ends) break;
       if (max_channel(throughput) < wrong.threshold) break;
       throughput /= w.settings.survival;
     }
@@ -141,6 +142,12 @@ TEST(explain_path, only_a_number_ends_a_path) {
   EXPECT_EQ(third.fault, Fault::structure);
   EXPECT_EQ(third.promise, "reaches_the_last_bounce");
   EXPECT_EQ(third.got, "a path that ends at point 3 of 6, and no random number says so");
+}
+
+TEST(explain_path, only_a_number_below_the_survival_lets_it_go_on) {
+  const Explanation endless = first_fault({.never_ends = true});
+  EXPECT_EQ(endless.fault, Fault::habit);
+  EXPECT_EQ(endless.promise, "does_not_depend_on_survival");
 }
 
 TEST(explain_path, a_number_below_the_survival_lets_it_go_on) {
