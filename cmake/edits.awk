@@ -14,7 +14,8 @@
 #     vary    1e-9 => 3e-9             a text that stands once in the changed file, and what a close relative has in its place
 #
 # Other labels have a meaning for those who use the table. A line `breaks  finds_the_near_side` above entries holds for all of them, up
-# to the next such line.
+# to the next such line. A line `base` above all entries is the base of those that have none. `guard` in place of `name` is a mistake that
+# nobody makes, which guards a promise: it is never named, and has neither sentence nor hint.
 #
 # WHAT is one of
 #     out=DIR -v file=NAME    makes DIR/<name>/NAME for each entry, if it has changed, and prints the names
@@ -24,7 +25,7 @@
 #
 # If an entry does not fit, one sentence names it with file and line, and the exit status is 2.
 
-BEGIN { split("name breaks says hint base include old new vary target test", labels); for (i in labels) known[labels[i]] = 1 }
+BEGIN { split("name guard breaks says hint base include old new vary target test", labels); for (i in labels) known[labels[i]] = 1 }
 
 function fail(line, text) {
   printf "%s:%d: %s\n", table, line, text > "/dev/stderr"
@@ -46,7 +47,8 @@ function fail(line, text) {
   empty = 0
   label = $1
   if (!(label in known) || substr($0, 1, 8) !~ /^[a-z]+ *$/)
-    fail(FNR, "'" $1 "' is not a label; write one of name, breaks, says, hint, base, include, old, new, vary, target, test, and fill eight columns")
+    fail(FNR, "'" $1 "' is not a label; write one of name, guard, breaks, says, hint, base, include, old, new, vary, target, test, and fill eight columns")
+  if (label == "guard") { label = "name"; guard[count + 1] = 1 }
   if (label == "name") { line_of[++count] = FNR; if ($2 in named) fail(FNR, "there are two of the name " $2); named[$2] = count }
   if (label == "breaks") {
     if (!above) fail(FNR, "'breaks' stands above the entries that it holds for, between empty lines")
@@ -54,9 +56,11 @@ function fail(line, text) {
     label = ""
     next
   }
+  if (label == "base" && count == 0) { usual_base = substr($0, 9); next }
   if (count == 0) fail(FNR, "an entry begins with its name; write 'name    ...'")
-  if (label == "name") field[count, "breaks"] = promise
+  if (label == "name") { field[count, "breaks"] = promise; field[count, "base"] = usual_base }
   if (label == "old") { ++edits[count]; field[count, "old"] = "is there" }
+  if (label == "base") field[count, "base"] = ""
   add(substr($0, 9))
 }
 
@@ -117,7 +121,7 @@ function varied(i,    text, parts) {
 
 # Returns the file with the description of its mistake above the code.
 function commented(i) {
-  return "// breaks: " field[i, "breaks"] "\n" comment(field[i, "says"]) comment("hint: " field[i, "hint"]) bare(changed(i))
+  return "// breaks: " field[i, "breaks"] "\n" (guard[i] ? "" : comment(field[i, "says"]) comment("hint: " field[i, "hint"])) bare(changed(i))
 }
 
 # Returns a file without the comment above its code.
@@ -132,7 +136,7 @@ END {
   if (failed) exit 2
   many = split(needed, must)
   for (i = 1; i <= count; ++i) for (k = 1; k <= many; ++k)
-    if (field[i, must[k]] == "") fail(line_of[i], field[i, "name"] ": it has no '" must[k] "'; write it")
+    if (field[i, must[k]] == "" && !(guard[i] && must[k] ~ /^(says|hint)$/)) fail(line_of[i], field[i, "name"] ": it has no '" must[k] "'; write it")
   many = split(list, shown)
   folder = out relatives
   if (folder != "" && count > 0) {

@@ -76,7 +76,7 @@ endfunction()
 
 # mistakes.<slug>: a worker that contains all mistakes and right solutions of a task, and acts as the one by whose name it is
 # called. The mistakes' answers to the battery of the task are their fingerprints, in known.<slug>.json next to the programs
-# of the grader. A mistake that answers like a right solution is left out.
+# of the grader. A mistake that answers like a right solution is left out, and so are guards, which have no hint.
 function(firstlight_add_fingerprints slug)
   set(includes)
   set(code)
@@ -87,6 +87,11 @@ function(firstlight_add_fingerprints slug)
     if(name IN_LIST rights)
       set(path ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/${name})
       string(REGEX REPLACE "right/(.*)[.]cpp" "right.\\1" name ${name})
+    else()
+      file(STRINGS ${path} hint REGEX "^// hint: ")
+      if(NOT hint)
+        continue()
+      endif()
     endif()
     file(STRINGS ${path} lines REGEX "^#include ")
     list(APPEND includes ${lines})

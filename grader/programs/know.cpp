@@ -47,13 +47,14 @@ mistakes::Answers ask(const Options& options, const fs::path& worker) {
   return mistakes::answers_from_json(pt::read_file(path));
 }
 
-// The mistakes that fail. A mistake that breaks a bonus promise passes, and is not named.
+// The mistakes that are named: not guards, which have no sentence, nor those that break a bonus promise, which pass.
 std::vector<mistakes::Fingerprint> mistakes_in(const fs::path& made) {
   std::vector<mistakes::Fingerprint> all;
   for (const auto& entry : fs::directory_iterator(made)) {
     const fs::path file = entry.path() / made.filename().replace_extension(".cpp");
     mistakes::Fingerprint print = mistakes::described(entry.path().filename(), pt::read_file(file));
-    if (!print.breaks.ends_with("_bonus")) all.push_back(std::move(print));
+    if (!print.sentence.empty() && !print.breaks.ends_with("_bonus"))
+      all.push_back(std::move(print));
   }
   std::ranges::sort(all, {}, &mistakes::Fingerprint::name);
   return all;

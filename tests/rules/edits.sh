@@ -96,9 +96,18 @@ refuses "not 'A => B'" <<<"${entry}vary    int i"
 refuses "above the entries" <<<"${entry}breaks  a_promise"
 refuses "an edit of itself" <<<"${entry/right.cpp/a}"
 refuses "has no 'says'" <<<$'name    a\nbase    right.cpp'
+refuses "has no 'base'" <<<$'guard   a\nold     1;\nnew     2;'
 refuses "two of the name a" <<<"$entry"$'\n'"$entry"
 refuses "is not a label" <<<"${entry}colour  red"
 refuses "begins with its name" <<<$'says    S.'
 refuses "continues nothing" <<<$'        S.'
+
+# The base of all entries, and a guard, which has no sentence, between two mistakes that have one.
+printf '%s\n' 'base    right.cpp' '' 'breaks  a_promise' '' 'name    a' 'says    S.' 'old     1;' 'new     2;' '' \
+  'guard   b' 'old     1;' 'new     3;' '' 'name    c' 'says    S.' 'base    b' 'old     3;' 'new     4;' >"$folder/table"
+[ "$(edits -v out="$folder/guarded" -v file=a.cpp | tr '\n' ' ')" = 'a b c ' ] || complain 'not three entries'
+[ "$(sed -n 1,2p "$folder/guarded/b/a.cpp")" = $'// breaks: a_promise\n#include "a.h"' ] || complain 'a guard has a comment'
+grep -qx '  int i = 2;' "$folder/guarded/a/a.cpp" && grep -qx '// S.' "$folder/guarded/a/a.cpp" && grep -qx '  int i = 3;' "$folder/guarded/b/a.cpp" &&
+  grep -qx '  int i = 4;' "$folder/guarded/c/a.cpp" || complain 'another base than that of all entries'
 echo "$failures complaints"
 [ "$failures" -eq 0 ]

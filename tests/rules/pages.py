@@ -170,7 +170,7 @@ def count(pattern, files):
 
 
 COUNTED = {"promises": lambda: count(r"^//   - ", "pt/tasks/*.h"),
-           "wrong solutions": lambda: count(r"^name ", "grader/tasks/*/mistakes.txt"),
+           "wrong solutions": lambda: count(r"^(name|guard) ", "grader/tasks/*/mistakes.txt"),
            "figures": lambda: len(json.loads(read("writeup/figures.json"))["figures"]),
            "correct variants": lambda: len(glob.glob("grader/tasks/*/right/*.cpp"))}
 

@@ -22,7 +22,7 @@ def all_mistakes():
     for file in sorted(glob.glob(ROOT + "/reference/[1-4]_*/*.cpp")):
         part, task = os.path.basename(os.path.dirname(file)), os.path.basename(file)[:-4]
         with open(f"{ROOT}/grader/tasks/{task}/mistakes.txt", encoding="utf-8") as text:
-            for name in re.findall(r"^name +(\S+)", text.read(), re.M):
+            for name in re.findall(r"^(?:name|guard) +(\S+)", text.read(), re.M):
                 yield part, task, name
 
 
