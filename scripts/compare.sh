@@ -1,7 +1,7 @@
 # shellcheck shell=bash disable=SC2154
 # ./run compare SCENE.dae: renders a scene with two codes and shows both pictures on a page. `./run` includes this file.
 
-# compare_codes SCENE.dae [--from ...] [--against ...] RENDER OPTIONS
+# compare_codes SCENE.dae [--from ... | --submission DIR] [--against ...] RENDER OPTIONS
 compare_codes() {
   local a=() b=() options=() name folder name_a name_b render_a render_b
   while [ $# -gt 0 ]; do
@@ -9,6 +9,8 @@ compare_codes() {
       --from | --against) [ $# -gt 1 ] || fail "$1 takes an implementation, or task=implementation" ;;
     esac
     case $1 in
+      --submission) [ $# -gt 1 ] || fail "--submission takes a folder"; take_submission "$2"; a=(--from submission); shift 2 ;;
+      --submission=*) take_submission "${1#--submission=}"; a=(--from submission); shift ;;
       --from) a+=(--from "$2"); shift 2 ;;
       --from=*) a+=("$1"); shift ;;
       --against) b+=(--from "$2"); shift 2 ;;

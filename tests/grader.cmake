@@ -22,8 +22,8 @@ firstlight_test(test_engines rest PATHS SOURCES pt/render/engines_test.cpp LIBRA
 
 # Work in the skeleton of a course.
 firstlight_test(door_test quick PLAIN PATHS SOURCES grader/door/door_test.cpp LIBRARIES grader_door GTest::gmock)
-foreach(what right mistakes)
-  firstlight_script_test(course_${what} rest grader/door/course.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader ${what} NEEDS grade graded)
+foreach(what right mistakes doors)
+  firstlight_script_test(course_${what} rest grader/door/course.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader ${what} NEEDS grade graded grade_class)
 endforeach()
 
 firstlight_library(example_results grader/report/example_results.cpp)
@@ -40,7 +40,7 @@ firstlight_test(test_naming quick PATHS SOURCES grader/mistakes/naming_test.cpp 
   LIBRARIES grader_judging grader_battery GTest::gmock)
 firstlight_test(test_hints quick PATHS SOURCES grader/report/hints_test.cpp LIBRARIES grader_judging GTest::gmock NEEDS hint
   DEFINES HINT_PROGRAM="$<TARGET_FILE:hint>")
-firstlight_test(test_watch quick PATHS LIBRARIES grader_results grader_watch_fit GTest::gmock util NEEDS watch
+firstlight_test(test_watch quick PATHS LIBRARIES grader_results grader_watch_fit GTest::gmock util NEEDS watch flatten
   SOURCES grader/watch/watch_test.cpp grader/watch/fit_test.cpp grader/watch/pseudo_terminal.cpp
   DEFINES WATCH_PROGRAM="$<TARGET_FILE:watch>")
 firstlight_test(test_status_line quick SOURCES grader/report/status_line_test.cpp LIBRARIES grader_report GTest::gmock)

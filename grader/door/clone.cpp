@@ -6,6 +6,7 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <set>
 #include <string_view>
@@ -23,11 +24,8 @@ namespace {
 constexpr std::size_t kMaxFiles = 2000;
 constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
 constexpr int kMaxDepth = 8;
-
-bool is_source(const fs::path& file) {
-  static const std::set<fs::path> endings{".h", ".hpp", ".inl", ".cpp", ".cc", ".c", ".cxx"};
-  return endings.contains(file.extension());
-}
+constexpr std::array kParts{"src", "CGL"};
+constexpr int kMaxAbove = 3;  // folders above a clone
 
 // Returns whether a name can stand in a #line: no quotation mark ends it, and no newline.
 bool is_plain(const std::string& name) {
@@ -47,11 +45,11 @@ class Reader {
     if (!here.is_open()) return;
     for (const auto& entry : fs::directory_iterator(top_ / folder)) {
       const fs::path path = folder / entry.path().filename();
-      const bool is_read = !base::is_hidden(path.filename()) && is_plain(path.filename());
-      if (!is_read || !clone_.problem.empty()) continue;
+      const bool is_seen = !base::is_hidden(path.filename()) && is_plain(path.filename());
+      if (!is_seen || !clone_.problem.empty()) continue;
       if (entry.is_directory() && !entry.is_symlink()) {
         read(path, depth + 1);
-      } else if (is_source(path)) {
+      } else if (is_read(path.filename())) {
         add(path, base::read_plain_file(here.number(), path.filename(), base::kMaxFile));
       }
     }
@@ -76,6 +74,16 @@ class Reader {
   Clone clone_;
   std::size_t bytes_ = 0;
 };
+
+void add_clones(const fs::path& folder, int depth, std::vector<fs::path>& found) {
+  if (is_clone(folder)) return found.push_back(folder);
+  if (depth == kMaxAbove) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (base::is_hidden(entry.path().filename()) || entry.is_symlink() || !entry.is_directory())
+      continue;
+    add_clones(entry.path(), depth + 1, found);
+  }
+}
 
 // Takes a number and the newline behind it.
 std::size_t take_number(std::string_view& rest) {
@@ -103,6 +111,11 @@ const Source* Clone::find(const std::string& path) const {
   return found == files.end() ? nullptr : &found->second;
 }
 
+bool is_read(const std::string& name) {
+  static const std::set<fs::path> endings{".h", ".hpp", ".inl", ".cpp", ".cc", ".c", ".cxx"};
+  return endings.contains(fs::path(name).extension());
+}
+
 bool is_clone(const fs::path& folder) {
   std::error_code error;
   return fs::is_regular_file(folder / "src/pathtracer/pathtracer.cpp", error) ||
@@ -110,9 +123,28 @@ bool is_clone(const fs::path& folder) {
           fs::is_regular_file(folder / "src/pathtracer.cpp", error));
 }
 
+std::vector<fs::path> clones_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  add_clones(folder, 0, found);
+  std::ranges::sort(found);
+  return found;
+}
+
+std::vector<std::string> paths_in(const fs::path& folder) {
+  std::vector<std::string> paths;
+  for (const char* part : kParts) {
+    std::error_code error;
+    fs::recursive_directory_iterator at(folder / part, error);
+    for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+      if (is_read(at->path().filename())) paths.push_back(at->path());
+    }
+  }
+  return paths;
+}
+
 Clone read_clone(const fs::path& folder) {
   Reader reader(folder);
-  for (const char* part : {"src", "CGL"}) reader.read(part, 0);
+  for (const char* part : kParts) reader.read(part, 0);
   return std::move(reader).clone();
 }
 
@@ -160,6 +192,13 @@ const char* first_year(Generation generation) {
       return "2022";
   }
   return "";
+}
+
+std::optional<Generation> generation_since(const std::string& year) {
+  for (const Generation each : {Generation::of_2019, Generation::of_2020, Generation::of_2022}) {
+    if (year == first_year(each)) return each;
+  }
+  return std::nullopt;
 }
 
 }  // namespace grader::door

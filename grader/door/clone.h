@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 // Work in the skeleton of the course from which the tasks come (Berkeley CS184): a clone of the learner's repository.
 
@@ -22,8 +24,18 @@ struct Clone {
   const Source* find(const std::string& path) const;
 };
 
+// Returns whether a file of this name is read.
+bool is_read(const std::string& name);
+
 // Returns whether the folder has the layout of the course, of 2019 or of a later year.
 bool is_clone(const std::filesystem::path& folder);
+
+// The clones in a folder: this folder alone if it is one, else those a few folders below it. Throws
+// std::filesystem::filesystem_error if a folder cannot be read.
+std::vector<std::filesystem::path> clones_in(const std::filesystem::path& folder);
+
+// The paths of the files that read_clone() reads, as they are now; a folder that cannot be read is left out.
+std::vector<std::string> paths_in(const std::filesystem::path& folder);
 
 // Reads src/ and CGL/. A link, hard or soft, anything but a regular file, and a large file are
 // refused; no link to a folder is followed, so nothing outside of the clone is read. There are
@@ -45,7 +57,8 @@ struct Course {
 };
 Course course_of(const Clone& clone);
 
-// "2019", "2020" or "2022": the first year.
+// "2019", "2020" or "2022": the first year; and back: nothing for another text.
 const char* first_year(Generation generation);
+std::optional<Generation> generation_since(const std::string& year);
 
 }  // namespace grader::door

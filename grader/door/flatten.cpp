@@ -53,6 +53,14 @@ Include include_in(const std::string& line) {
   return {name, c == '"'};
 }
 
+// The path of a learner's file by its name; empty if it is not there.
+std::string place_of(const Clone& clone, const std::string& name) {
+  for (const char* folder : kPlaces) {
+    if (clone.find(folder + name) != nullptr) return folder + name;
+  }
+  return "";
+}
+
 // The text of a task, while it is put together.
 class Flat {
  public:
@@ -61,14 +69,6 @@ class Flat {
 
   // Adds a file of the clone with all that it includes, each file once.
   void add(const std::string& path) { add_file(path, clone_.find(path)->text, true, 0); }
-
-  // The path of a learner's file by its name; empty if it is not there.
-  std::string place_of(const std::string& name) const {
-    for (const char* folder : kPlaces) {
-      if (clone_.find(folder + name) != nullptr) return folder + name;
-    }
-    return "";
-  }
 
   const std::string& text() const { return text_; }
   const std::set<std::string>& standard() const { return standard_; }
@@ -162,6 +162,23 @@ std::string includes_of(const std::set<std::string>& standard) {
 
 }  // namespace
 
+std::string functions_of(const Clone& clone, const Texts& texts, const std::string& slug) {
+  const Adapter& adapter = texts.tasks.at(slug);
+  const std::string path = place_of(clone, adapter.sources.at(0));
+  if (path.empty()) return "";
+  const std::string& text = clone.find(path)->text;
+  const std::string code = only_code(text);
+  std::string functions;
+  std::set<std::string> names(adapter.functions.begin(), adapter.functions.end());
+  for (const Stub& stub : adapter.stubs) names.insert(stub.function);
+  for (const std::string& name : names) {
+    if (name.empty()) continue;
+    for (const Definition& each : definitions_of(code, name))
+      functions.append(text, each.name, each.end - each.name).append("\n");
+  }
+  return functions;
+}
+
 std::string flatten(const Clone& clone, const Texts& texts, const std::string& slug) {
   const Adapter& adapter = texts.tasks.at(slug);
   const Course course = course_of(clone);
@@ -172,9 +189,9 @@ std::string flatten(const Clone& clone, const Texts& texts, const std::string& s
   names.insert(names.end(), kMath.begin(), kMath.end());
   names.insert(names.end(), adapter.sources.begin(), adapter.sources.end());
   for (const std::string& name : names) {
-    if (const std::string path = flat.place_of(name); !path.empty()) flat.add(path);
+    if (const std::string path = place_of(clone, name); !path.empty()) flat.add(path);
   }
-  const std::string first = flat.place_of(adapter.sources.at(0));
+  const std::string first = place_of(clone, adapter.sources.at(0));
   const bool is_written =
       first.empty() ||
       !is_unwritten(adapter, only_code(edited(clone.find(first)->text, first, course.generation)));

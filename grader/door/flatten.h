@@ -12,4 +12,10 @@ namespace grader::door {
 // written yet, the task says so.
 std::string flatten(const Clone& clone, const Texts& texts, const std::string& slug);
 
+// The functions of the learner's that the task is about, as they stand in the file: from them one can
+// tell which of the tasks of a file was changed. In a folder of tasks they are in a file next to the
+// task's, with this ending.
+inline constexpr const char* kFunctions = ".functions";
+std::string functions_of(const Clone& clone, const Texts& texts, const std::string& slug);
+
 }  // namespace grader::door

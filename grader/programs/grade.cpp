@@ -3,7 +3,6 @@
 #include "grader/service/judging/grade.h"
 
 #include "grader/base/files.h"
-#include "grader/programs/grade_intake.h"
 #include "grader/programs/grade_options.h"
 #include "grader/report/hints.h"
 #include "grader/report/status_line.h"
@@ -12,6 +11,7 @@
 #include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/results/summary.h"
+#include "grader/service/intake/taken_in.h"
 #include "grader/service/process/spawn.h"
 #include "grader/tasks.h"
 #include "pt/end_of_program.h"
@@ -123,6 +123,22 @@ std::vector<std::string> asked_for(const build::Config& config, const GradeOptio
   return asked;
 }
 
+// Writes the task files of a submission to a folder; what is there already stays as it is, so that it need not
+// be compiled again.
+int take_to(const build::Config& config, const GradeOptions& options) {
+  const intake::TakenIn taken(config, options.submission, options.require_isolation);
+  for (const build::TaskConfig& task : config.tasks) {
+    const base::Submitted file = base::read_submitted(taken.folder(), task.part, task.slug);
+    const std::string problem = file.present ? file.rejected : "it is not in the submission";
+    const std::string text =
+        problem.empty() ? file.text : fmt::format("#error \"{}: {}\"\n", task.file(), problem);
+    const std::filesystem::path path = std::filesystem::path(options.take_to) / task.file();
+    std::filesystem::create_directories(path.parent_path());
+    if (!std::filesystem::exists(path) || pt::read_file(path) != text) pt::write_file(path, text);
+  }
+  return 0;
+}
+
 // Returns whether each function of the task begins with todo, as it was handed out. In doubt it does not: a comment
 // or a condition of the preprocessor can contain another version of the function.
 bool is_unwritten(const Task& task, const std::string& text) {
@@ -143,6 +159,14 @@ bool may_be_rendered(const std::vector<std::string>& asked, const std::string& s
   });
 }
 
+// The files of a submission that was named, wherever they are in it: as for a class. The folder student/ is read as
+// it is.
+std::optional<intake::TakenIn> taken_in(const build::Config& config, const GradeOptions& options) {
+  if (!options.is_named) return std::nullopt;
+  return std::optional<intake::TakenIn>(std::in_place, config, options.submission,
+                                        options.require_isolation);
+}
+
 // Prints the names of the programs, one per line, for ./run, which builds only these.
 int name_programs(const build::Config& config, const GradeOptions& options) {
   const std::vector<std::string> asked = asked_for(config, options);
@@ -150,21 +174,40 @@ int name_programs(const build::Config& config, const GradeOptions& options) {
     fmt::print("graded.{0}\nknown.{0}\n", slug);
   }
   if (options.no_pictures) return 0;
-  const Intake intake(config, options);
-  if (intake.found().problem.empty() && may_be_rendered(asked, intake.found().folder)) {
+  const auto taken = taken_in(config, options);
+  const bool is_refused = taken && !taken->found().problem.empty();
+  const std::string folder =
+      taken ? taken->found().folder : base::submission_root(options.submission);
+  if (!is_refused && may_be_rendered(asked, folder)) {
     fmt::print("graded_picture\n");
   }
   return 0;
 }
 
+// The dialect of the course in whose skeleton the work is; nothing if it is in ours.
+std::optional<door::Dialect> dialect_of(const build::Config& config, const GradeOptions& options,
+                                        const std::optional<intake::TakenIn>& taken) {
+  const auto course = options.course.empty() ? taken ? taken->found().course : std::nullopt
+                                             : door::generation_since(options.course);
+  if (!course) return std::nullopt;
+  const std::string texts = config.root + "/grader/door";
+  return options.dialect == "none" ? door::no_dialect(texts, *course)
+                                   : door::load_dialect(texts, *course);
+}
+
 judging::GradeRequest request_for(const build::Config& config, const GradeOptions& options,
-                                  const Intake& intake) {
+                                  const std::optional<intake::TakenIn>& taken) {
   judging::GradeRequest request;
-  request.submission = intake.found().folder;
-  request.refused = intake.found().problem;
-  request.dialect = intake.dialect();
-  request.note = options.note.empty() ? intake.found().note : options.note;
-  if (intake.is_copied() || !request.refused.empty()) request.shown = options.submission;
+  request.dialect = dialect_of(config, options, taken);
+  request.note = options.note;
+  if (taken) {
+    request.submission = taken->found().folder;
+    request.refused = taken->found().problem;
+    if (request.note.empty()) request.note = taken->found().note;
+    if (taken->is_copied() || !request.refused.empty()) request.shown = options.submission;
+  } else {
+    request.submission = base::submission_root(options.submission);
+  }
   request.name = results::one_line(options.name);
   request.seed = options.seed;
   request.call_limit = options.call_limit;
@@ -201,8 +244,9 @@ int run(Words words) {
     report::check_targets(options.files);
   }
   if (options.programs) return name_programs(config, options);
-  const Intake intake(config, options);
-  const judging::GradeRequest request = request_for(config, options, intake);
+  if (!options.take_to.empty()) return take_to(config, options);
+  const auto taken = taken_in(config, options);
+  const judging::GradeRequest request = request_for(config, options, taken);
   if (request.pictures) unfinished.begin(words);
   report::ProgressReports reports(options.files);
   std::optional<report::StatusLine> line(std::in_place, options.quiet

@@ -23,7 +23,8 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_option("what", options.what, "Tasks (hit_triangle), parts (1) or exercises (1.3)");
   CLI::Option* submission =
       app.add_option("--submission", options.submission,
-                     "A folder or an archive with the task files, however they lie in it")
+                     "A folder or an archive with the task files, however they lie in it, or a "
+                     "clone of CS184's skeleton")
           ->check(CLI::ExistingPath);
   app.add_option("--name", options.name,
                  "Who handed it in: reports show this instead of a path of this machine");
@@ -59,6 +60,10 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
       ->check(CLI::IsMember({"course", "none"}));
   app.add_flag("--resume", options.resume, "Continue the run that was interrupted");
   app.add_option("--note", options.note, "Which of the files handed in are in it")->group("");
+  app.add_option("--course", options.course, "The clone's skeleton is that of this year")
+      ->check(CLI::IsMember({"2019", "2020", "2022"}))
+      ->group("");
+  app.add_option("--take-to", options.take_to, "Write the task files to this folder")->group("");
   app.add_flag("--programs", options.programs, "Name the programs for ./run")->group("");
   app.add_option("--config", options.config, "What CMake wrote (grade.json)");
   app.add_option("--work", options.work,

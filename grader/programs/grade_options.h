@@ -15,6 +15,7 @@ struct GradeOptions {
   std::string submission = "student";
   bool is_named = false;  // on the command line
   std::string note;       // which of the files handed in are in the folder; of a class
+  std::string course;     // the files are made of a clone of the course since this year; of a class
   std::string name;       // of the learner who handed it in
   report::ReportFiles files;
   std::string from_results;
@@ -30,6 +31,7 @@ struct GradeOptions {
   bool all = false;
   bool no_pictures = false;
   bool quiet = false;
+  std::string take_to;    // only writes the task files to this folder
   bool programs = false;  // only names the programs that judge what is asked for
   bool resume = false;    // continues the interrupted run; all other options then come from it
 };

@@ -1,5 +1,12 @@
 #include "grader/watch/files.h"
 
+#include "grader/base/files.h"
+#include "grader/door/clone.h"
+#include "grader/door/flatten.h"
+#include "grader/service/intake/taken_in.h"
+#include "pt/file.h"
+
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,14 +26,17 @@ std::string stamp_of(const std::string& path) {
 
 }  // namespace
 
-Files::Files(std::string folder, const std::vector<build::TaskConfig>& tasks)
-    : folder_(std::move(folder)), tasks_(tasks) {
+Files::Files(std::string folder, const build::Config& config)
+    : folder_(std::move(folder)), config_(config) {
+  const std::string root = base::submission_root(folder_);
+  if (door::is_clone(root)) folder_ = root;
   saved();
 }
 
 std::vector<std::string> Files::saved() {
+  if (door::is_clone(folder_)) return saved_in_clone();
   std::vector<std::string> slugs;
-  for (const build::TaskConfig& task : tasks_) {
+  for (const build::TaskConfig& task : config_.tasks) {
     const std::string now = stamp_of(folder_ + "/" + task.file());
     std::string& before = stamps_[task.slug];
     if (now.empty() || now == before) continue;
@@ -34,6 +44,35 @@ std::vector<std::string> Files::saved() {
     slugs.push_back(task.slug);
   }
   return slugs;
+}
+
+std::vector<std::string> Files::saved_in_clone() {
+  std::map<std::string, std::string> stamps;
+  for (const std::string& file : door::paths_in(folder_)) stamps[file] = stamp_of(file);
+  if (stamps == stamps_) return {};
+  stamps_ = std::move(stamps);
+  std::map<std::string, Made> now = made();
+  std::vector<std::string> own, all;
+  for (const build::TaskConfig& task : config_.tasks) {
+    const Made &before = made_[task.slug], &after = now[task.slug];
+    if (before.functions != after.functions) own.push_back(task.slug);
+    if (before != after) all.push_back(task.slug);
+  }
+  made_ = std::move(now);
+  return own.empty() ? all : own;
+}
+
+// If the clone cannot be read, all texts are empty, and `grade` says why.
+std::map<std::string, Files::Made> Files::made() const {
+  std::map<std::string, Made> all;
+  const intake::TakenIn taken(config_, folder_);
+  if (!taken.found().problem.empty()) return all;
+  for (const build::TaskConfig& task : config_.tasks) {
+    const std::string file = taken.found().folder + "/" + task.file();
+    if (std::filesystem::exists(file))
+      all[task.slug] = {pt::read_file(file), pt::read_file(file + door::kFunctions)};
+  }
+  return all;
 }
 
 }  // namespace grader::watch

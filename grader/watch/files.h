@@ -12,17 +12,29 @@ namespace grader::watch {
 // file over the old one.
 class Files {
  public:
-  // `folder` has the tree of student/. The files that exist now count as seen.
-  Files(std::string folder, const std::vector<build::TaskConfig>& tasks);
+  // `folder` has the tree of student/, or is a clone of the course's skeleton. The files that exist
+  // now count as seen.
+  Files(std::string folder, const build::Config& config);
 
   // The slugs whose files have changed since the last call, in the order of the course. A missing
-  // file has not changed: many editors remove it for a moment.
+  // file has not changed: many editors remove it for a moment. Of a clone, the tasks whose functions
+  // have changed; if there are none, those whose text has, with all that it includes.
   std::vector<std::string> saved();
 
  private:
+  // The text of a task that is made of a clone, and in it the learner's own functions.
+  struct Made {
+    std::string text, functions;
+    bool operator==(const Made&) const = default;
+  };
+
+  std::vector<std::string> saved_in_clone();
+  std::map<std::string, Made> made() const;
+
   std::string folder_;
-  const std::vector<build::TaskConfig>& tasks_;
-  std::map<std::string, std::string> stamps_;  // by slug
+  const build::Config& config_;
+  std::map<std::string, std::string> stamps_;  // by slug; of a clone, by path
+  std::map<std::string, Made> made_;           // by slug
 };
 
 }  // namespace grader::watch

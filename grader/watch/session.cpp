@@ -55,7 +55,7 @@ WatchSession::WatchSession(const build::Config& config, WatchOptions options)
     : config_(config),
       options_(std::move(options)),
       results_path_(fmt::format("{}/watch.{}.json", config.work, getpid())),
-      files_(options_.submission, config.tasks),
+      files_(options_.submission, config),
       verdicts_(config.tasks, options_.submission, options_.style),
       page_path_(config.work + "/watch.html") {
   std::filesystem::create_directories(config.work);

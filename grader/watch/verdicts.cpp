@@ -45,8 +45,7 @@ std::string Verdicts::list() const {
     const results::TaskResult* result = find(task.slug);
     std::string state = result == nullptr ? "not judged yet" : name(result->state);
     std::replace(state.begin(), state.end(), '_', ' ');
-    text += fmt::format("  {}  {:<18} {:<15} {}/{}\n", task.number, task.slug, state, folder_,
-                        task.file());
+    text += fmt::format("  {}  {:<18} {:<15} {}\n", task.number, task.slug, state, place_of(task));
   }
   return text;
 }
@@ -104,6 +103,16 @@ std::string Verdicts::next() {
   return "\nNothing is left to do: all tasks pass. ./run grade judges the pictures too.\n";
 }
 
+bool Verdicts::is_clone(const std::string& slug) const {
+  const results::TaskResult* result = find(slug);
+  return result != nullptr && !result->called.empty();
+}
+
+// The file of the task or, in a clone of the course's skeleton, its function.
+std::string Verdicts::place_of(const build::TaskConfig& task) const {
+  return is_clone(task.slug) ? find(task.slug)->called : folder_ + "/" + task.file();
+}
+
 const results::TaskResult* Verdicts::find(const std::string& slug) const {
   for (const results::TaskResult& task : known_.tasks) {
     if (task.slug == slug) return &task;
@@ -131,10 +140,11 @@ std::vector<report::FailureText> Verdicts::items(std::size_t task) const {
     return {};
   }
   if (result == nullptr || result->state == results::State::not_attempted) {
-    return {{config.slug, "",
-             fmt::format("\n{} {} is not {} yet.\n  contract  pt/tasks/{}.h\n  file      {}/{}\n",
-                         config.number, config.slug, result == nullptr ? "judged" : "written",
-                         config.slug, folder_, config.file())}};
+    return {
+        {config.slug, "",
+         fmt::format("\n{} {} is not {} yet.\n  contract  pt/tasks/{}.h\n  {:<8}  {}\n",
+                     config.number, config.slug, result == nullptr ? "judged" : "written",
+                     config.slug, is_clone(config.slug) ? "function" : "file", place_of(config))}};
   }
   std::vector<report::FailureText> all = report::failure_texts(*result, style_);
   if (all.empty()) {

@@ -51,6 +51,8 @@ class Verdicts {
 
  private:
   const results::TaskResult* find(const std::string& slug) const;
+  bool is_clone(const std::string& slug) const;
+  std::string place_of(const build::TaskConfig& task) const;
   const results::TaskResult* first_blocker(const results::TaskResult& task) const;
   std::vector<report::FailureText> items(std::size_t task) const;
   std::string show_item(const report::FailureText& item);

@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
   watch::WatchOptions options;
   options.submission = "student";
   CLI::App app{"Checks each task when its file is saved", "./run watch"};
-  app.add_option("--submission", options.submission, "a folder with the tree of student/")
+  app.add_option("--submission", options.submission,
+                 "a folder with the tree of student/, or a clone of CS184's skeleton")
       ->check(CLI::ExistingDirectory);
   app.add_option("--config", options.config,
                  "what CMake wrote (grade.json); the programs grade and hint are next to it");

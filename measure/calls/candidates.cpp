@@ -181,7 +181,8 @@ std::vector<Contest> contests_of(const Materials& materials, const Options& opti
       contest.candidates.push_back({name, false, "", "", ""});
     }
     const std::string folder = own_folder(options, about.slug);
-    if (!folder.empty()) contest.candidates.push_back({name_of(folder), true, "", "", ""});
+    const std::string& named = options.submission.empty() ? folder : options.submission;
+    if (!folder.empty()) contest.candidates.push_back({name_of(named), true, "", "", ""});
     contests.push_back(contest);
   }
   return contests;

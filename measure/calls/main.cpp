@@ -1,6 +1,7 @@
 // measure [TASK ...]: the time of each implementation of a task against its error or noise. Each
 // runs in the box, none in this process. The exit status is 1 if somebody's own code has no numbers, or
 // is wrong.
+#include "grader/service/intake/taken_in.h"
 #include "grader/service/process/process_time.h"
 #include "grader/service/process/spawn.h"
 #include "grader/service/sandbox/probe.h"
@@ -54,7 +55,12 @@ std::vector<Contest> compiled(const Materials& materials, const Options& options
 
 int run(int argc, const char* const* argv) {
   const grader::build::Config config = worker_config(kConfig);
-  const Options options = parse_options(argc, argv, config.root);
+  Options options = parse_options(argc, argv, config.root);
+  std::optional<grader::intake::TakenIn> taken;
+  if (!options.submission.empty()) {
+    taken.emplace(config, options.submission);
+    options.own[""] = taken->folder();
+  }
   const Materials materials = materials_for(config, options);
   if (!options.out.empty()) std::filesystem::create_directories(options.out);
   const std::vector<Contest> contests = compiled(materials, options);

@@ -1,6 +1,5 @@
 #include "measure/calls/options.h"
 
-#include "grader/base/files.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 
@@ -55,7 +54,8 @@ void add_from(const std::string& word, const fs::path& root, Options& options) {
 Options parse_options(int argc, const char* const* argv, const fs::path& root) {
   Options options;
   std::vector<std::string> from;
-  std::string submission, out;
+  std::string& submission = options.submission;
+  std::string out;
   CLI::App app("Measures tasks: how long a call takes, and its error or its noise.",
                "./run measure");
   app.footer(kFooter);
@@ -67,8 +67,9 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
                  "Also your own code: student, or hit_sphere=student; or a mistake: hit_bvh=NAME")
       ->expected(1)
       ->allow_extra_args(false);
-  app.add_option("--submission", submission, "Also somebody's: a folder with the tree of student/")
-      ->check(CLI::ExistingDirectory);
+  app.add_option("--submission", submission,
+                 "Also somebody's: a folder, an archive, or a clone of CS184's skeleton")
+      ->check(CLI::ExistingPath);
   app.add_option(
          "--seconds", options.seconds,
          "How long to measure, besides compiling; more is more exact. Default: 40 for a task, "
@@ -78,7 +79,6 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
   app.add_option("--isolation", options.isolation, "A, B or C, as ./run grade has it");
   pt::parse(app, argc, argv);
   options.out = out;
-  if (!submission.empty()) options.own[""] = grader::base::submission_root(submission);
   if (!submission.empty() && !from.empty()) {
     throw pt::Error("--from and --submission are two ways to name one thing: leave one out");
   }

@@ -12,7 +12,8 @@ struct Options {
   std::map<std::string, std::string> own;  // a folder of code by slug, or by "" for all other tasks
   double seconds = 0;                      // by the clock, without compiling; 0: as long as needed
   std::filesystem::path out;               // a folder; empty: no files
-  std::string isolation;                   // as ./run grade has it
+  std::string submission;  // a folder, an archive or a clone of the course, for all other tasks
+  std::string isolation;   // as ./run grade has it
 };
 
 // Reads the command line. Prints help and exits for --help; throws pt::Error for unusable options.

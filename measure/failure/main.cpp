@@ -2,8 +2,8 @@
 // curves (grader/tasks/<task>/curves.cpp) with the reference, a submission, and the solutions that are
 // kept in the tree, all in boxes. The exit status is 1 if the submission cannot be measured, is wrong,
 // or ends its program.
-#include "grader/base/files.h"
 #include "grader/base/sha256.h"
+#include "grader/service/intake/taken_in.h"
 #include "grader/service/process/process_time.h"
 #include "grader/service/sandbox/probe.h"
 #include "measure/failure/lines.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -54,20 +55,30 @@ bool has_searches(const build::Config& config, const build::TaskConfig& task) {
   return fs::exists(config.root + "/grader/tasks/" + task.slug + "/searches.cpp");
 }
 
+struct Options {
+  std::vector<std::string> what;
+  std::string out;
+  bool no_methods = false, no_variants = false, keys = false, search = false;
+  double minutes = 1;
+  std::string named;  // the submission as it was named; the request has the folder of its files
+  Request request;
+};
+
 // Searches for the inputs on which a task is furthest from an exact oracle, and prints the worst
 // ones. The worst inputs are kept in `folder`, one file per task and submission. Returns whether
 // the task could be searched.
-bool search_all(const build::Config& config, const build::TaskConfig& task, const Request& request,
-                double minutes, const std::string& folder) {
+bool search_all(const build::Config& config, const build::TaskConfig& task, const Options& options,
+                const std::string& folder) {
+  const Request& request = options.request;
   fs::create_directories(folder);
   CurveLine line;
   std::string name = task.slug;
   if (!request.submission.empty()) {
     line.kind = CurveLine::Kind::submission;
-    name += "." + grader::base::sha256(fs::absolute(request.submission).string()).substr(0, 8);
+    name += "." + grader::base::sha256(fs::absolute(options.named).string()).substr(0, 8);
   }
   const Answered found =
-      search_task(config, task, request, {minutes, folder + "/" + name + ".json"}, line);
+      search_task(config, task, request, {options.minutes, folder + "/" + name + ".json"}, line);
   if (!found.unusable.empty()) {
     fmt::print("{} is not searched: {}\n", task.slug, found.unusable);
     return false;
@@ -75,14 +86,6 @@ bool search_all(const build::Config& config, const build::TaskConfig& task, cons
   for (const json& search : found.answer) fmt::print("{}\n", text_of(task.slug, search));
   return true;
 }
-
-struct Options {
-  std::vector<std::string> what;
-  std::string out;
-  bool no_methods = false, no_variants = false, keys = false, search = false;
-  double minutes = 1;
-  Request request;
-};
 
 bool has_curves(const build::Config& config, const build::TaskConfig& task) {
   return fs::exists(config.root + "/grader/tasks/" + task.slug + "/curves.cpp");
@@ -119,7 +122,7 @@ int search(const build::Config& config, const std::vector<build::TaskConfig>& ta
     if (!has_searches(config, task)) continue;
     any = true;
     const std::string folder = config.work + "/searches";
-    all = search_all(config, task, options.request, options.minutes, folder) && all;
+    all = search_all(config, task, options, folder) && all;
     std::fflush(stdout);
   }
   if (!any) throw pt::Error(tasks[0].slug + " has no search: its oracles are statistical");
@@ -136,8 +139,11 @@ int run(Options options) {
   Request& request = options.request;
   request.methods = !options.no_methods;
   request.variants = !options.no_variants && request.methods;
+  std::optional<grader::intake::TakenIn> taken;
   if (!request.submission.empty()) {
-    request.submission = grader::base::submission_root(request.submission);
+    taken.emplace(config, request.submission);
+    options.named = request.submission;
+    request.submission = taken->folder();
   }
   if (options.keys) return print_keys(config, tasks, request);
   request.judge.isolation = grader::sandbox::probe_isolation(config.root, config.work);
@@ -180,8 +186,8 @@ int main(int argc, char** argv) {
       "cannot be used.");
   app.add_option("what", options.what, "tasks (hit_sphere), parts (1) or exercises (1.3)");
   app.add_option("--submission", options.request.submission,
-                 "a folder with the tree of student/: its lines are drawn too")
-      ->check(CLI::ExistingDirectory);
+                 "a folder, an archive, or a clone of CS184's skeleton: its lines are drawn too")
+      ->check(CLI::ExistingPath);
   app.add_option("--out", options.out, "a folder for charts and their numbers; default: none");
   app.add_flag("--no-methods", options.no_methods,
                "only the reference and your own code, and no other method");

@@ -1,6 +1,7 @@
 #include "measure/renders/boxed.h"
 
 #include "grader/base/sha256.h"
+#include "grader/service/intake/taken_in.h"
 #include "grader/service/judging/together.h"
 #include "grader/service/process/process_time.h"
 #include "grader/service/wire/session.h"
@@ -39,7 +40,8 @@ Boxed build_submission(const std::string& submission, const std::string& parts,
                        const std::vector<std::string>& only) {
   const build::Config config = recorded(worker_config(parts));
   GradeRequest request;
-  request.submission = base::submission_root(submission);
+  const intake::TakenIn taken(config, submission);
+  request.submission = taken.folder();
   request.isolation = sandbox::probe_isolation(config.root, config.work);
   const build::Builder builder(config, request.isolation.tier, kCompileSeconds);
   std::vector<Judged> judged;

@@ -92,8 +92,10 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
       ->capture_default_str();
   app.add_option("--out", options.out, "A folder for charts and their numbers; default: none");
   app.add_option("--pixels", options.pixels)->group("")->check(CLI::Range(100, 1000000));
-  app.add_option("--submission", options.submission, "Somebody else's code, in the box")
-      ->check(CLI::ExistingDirectory);
+  app.add_option(
+         "--submission", options.submission,
+         "Somebody else's code, in the box: a folder, an archive, or a clone of CS184's skeleton")
+      ->check(CLI::ExistingPath);
   app.add_option("--built", options.built)->group("");
   app.add_option("--seed", options.seed, "Of the random numbers")->capture_default_str();
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")

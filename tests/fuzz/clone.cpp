@@ -11,7 +11,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Texts texts = read_texts(std::filesystem::path(FIRSTLIGHT_ROOT) / "grader/door");
   try {
     const Clone clone = unpack(std::string(fuzz::as_text(data, size)));
-    for (const auto& [slug, adapter] : texts.tasks) flatten(clone, texts, slug);
+    for (const auto& [slug, adapter] : texts.tasks) {
+      flatten(clone, texts, slug);
+      functions_of(clone, texts, slug);
+    }
   } catch (const pt::Error& error) {
     fuzz::expect_reason(error);
   }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # debug.sh [--batch] PROGRAM TASK [PROMISE]: gdb on the properties of a task in one process, stopped
 # in the task's function with the smallest input for which the promise does not hold. What ./run
-# debug does once the program is built. FIRSTLIGHT_SEED is the seed.
+# debug does once the program is built. FIRSTLIGHT_SEED is the seed. With FIRSTLIGHT_SUBMISSION, a clone of
+# CS184's skeleton, it stops in the function of the clone.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
@@ -20,6 +21,16 @@ functions=()
 for function in $(sed -n 's/^[A-Za-z][^(]* \([a-z_]*\)(.*/\1/p' "$root/pt/tasks/$task.h"); do
   functions+=(-ex "break pt::$function")
 done
+if [ -n "${FIRSTLIGHT_SUBMISSION-}" ]; then
+  clone=$(find "$FIRSTLIGHT_SUBMISSION" -maxdepth 4 -type d \( -path '*/src/pathtracer' -o -path '*/src/static_scene' \) | head -1)
+  if [ -n "$clone" ]; then
+    functions=()
+    for function in $(sed -n 's/^function //p' "$root/grader/door/tasks/$task.txt"); do
+      functions+=(-ex "break $function")
+    done
+    functions+=(-ex "directory ${clone%/src/*}")
+  fi
+fi
 promise=${promise//_/ }
 echo "Looking for the smallest input on which $task fails: ${promise:-every promise}," \
   "seed ${FIRSTLIGHT_SEED:-1}"

@@ -57,7 +57,7 @@ std::string stamp_of_files(const std::string& folder) {
   return fmt::format("{}", fmt::join(stamps, "\n"));
 }
 
-Key key_of(const Judging& judging, const std::string& submission) {
+Key key_of(const Judging& judging, const intake::HandedIn& by) {
   const build::Config& config = judging.config;
   const std::string cache = config.work + "/cache";
   const auto stamp = [&](const std::string& path) { return build::content_stamp(path, cache); };
@@ -67,7 +67,8 @@ Key key_of(const Judging& judging, const std::string& submission) {
   if (fs::exists(golden)) key += stamp_of_files(golden);
   for (const std::string& word : judging.words) key += word + '\0';
   key += std::to_string(judging.seed);
-  const std::string root = base::submission_root(submission);
+  if (by.course) key += door::first_year(*by.course);
+  const std::string root = base::submission_root(by.folder);
   for (const build::TaskConfig& task : config.tasks) {
     const base::Submitted file = base::read_submitted(root, task.part, task.slug);
     key += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
@@ -156,6 +157,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
     command.push_back("--threads=" + std::to_string(judging.threads));
   }
   if (!by.note.empty()) command.push_back("--note=" + by.note);
+  if (by.course) command.push_back(std::string("--course=") + door::first_year(*by.course));
   if (!judging.work.empty()) command.push_back("--work=" + judging.work);
   command.insert(command.end(), judging.words.begin(), judging.words.end());
   const auto run = [&] {
@@ -187,7 +189,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
   }
   results::Results results = results::read_results(path + ".json");
   if (!results.complete) throw pt::Error("the run was stopped before it ended");
-  if (key_of(judging, by.folder) != key) {
+  if (key_of(judging, by) != key) {
     throw Changed("its files, or the grader's, have changed while it was judged");
   }
   pt::write_file(path + ".key", key.text());
@@ -201,7 +203,7 @@ Graded grade_one(const Judging& judging, const intake::HandedIn& by,
   try {
     const Claim claim(judging.out, by.name);
     check_plan_stays(judging);
-    const Key key = key_of(judging, by.folder);
+    const Key key = key_of(judging, by);
     graded.again = key_at(path) == key;
     graded.results = graded.again ? results::read_results(path + ".json")
                                   : make_reports(judging, by, key, equal);
@@ -233,7 +235,7 @@ Graded graded_before(const Judging& judging, const intake::HandedIn& by) {
   Graded graded{by, {}, by.problem, true};
   if (!by.problem.empty()) return graded;
   try {
-    if (key_at(path) == key_of(judging, by.folder)) {
+    if (key_at(path) == key_of(judging, by)) {
       graded.results = results::read_results(path + ".json");
     } else {
       graded.problem = problem_of(judging, path);
@@ -257,7 +259,7 @@ bool is_done(const Judging& judging, const intake::HandedIn& by) {
   const Key known = key_at(path);
   if (known == Key{}) return false;  // most are in this state: saves reading their files
   try {
-    return known == key_of(judging, by.folder);
+    return known == key_of(judging, by);
   } catch (const std::exception&) {
     return false;  // the process that judges it reports the fault
   }

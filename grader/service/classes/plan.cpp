@@ -5,7 +5,7 @@
 #include "grader/base/sha256.h"
 #include "grader/service/classes/folders.h"
 #include "grader/service/classes/identity.h"
-#include "grader/service/intake/unpack_boxed.h"
+#include "grader/service/intake/boxed_readers.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -53,10 +53,15 @@ std::uint64_t seed_for(const PlanRequest& request) {
   return seed;
 }
 
+// The first year of the skeleton of a clone; else an empty text.
+std::string year_of(const intake::HandedIn& by) {
+  return by.course ? door::first_year(*by.course) : "";
+}
+
 // A text that is equal for equal task files; empty if there are no task files.
-std::string content_of(const build::Config& config, const std::string& submission) {
-  const std::string root = base::submission_root(submission);
-  std::string all;
+std::string content_of(const build::Config& config, const intake::HandedIn& by) {
+  const std::string root = base::submission_root(by.folder);
+  std::string all = year_of(by);
   bool any = false;
   for (const build::TaskConfig& task : config.tasks) {
     const base::Submitted file = base::read_submitted(root, task.part, task.slug);
@@ -76,7 +81,7 @@ std::vector<Equal> groups_of(const build::Config& config,
     if (!by.problem.empty()) continue;
     std::string content;
     try {
-      content = content_of(config, by.folder);
+      content = content_of(config, by);
     } catch (const std::exception& error) {
       by.problem = pt::sentence_of(error);
       continue;
@@ -122,10 +127,15 @@ std::string text_from(const json& from) {
 }
 
 json to_json(const intake::HandedIn& by) {
-  return {{"name", text_json(by.name)},         {"id", text_json(by.id)},
-          {"folder", text_json(by.folder)},     {"late", by.late},
-          {"problem", text_json(by.problem)},   {"platform", static_cast<int>(by.platform)},
-          {"feedback", text_json(by.feedback)}, {"note", text_json(by.note)}};
+  return {{"name", text_json(by.name)},
+          {"id", text_json(by.id)},
+          {"folder", text_json(by.folder)},
+          {"late", by.late},
+          {"problem", text_json(by.problem)},
+          {"platform", static_cast<int>(by.platform)},
+          {"feedback", text_json(by.feedback)},
+          {"note", text_json(by.note)},
+          {"course", year_of(by)}};
 }
 
 // The file, and the members of the plan in it, that tell who is who in an anonymous class.
@@ -155,11 +165,15 @@ void put_back(const json& names, json& plan) {
 }
 
 intake::HandedIn handed_in_from(const json& from) {
-  return {
-      text_from(from.at("name")),     text_from(from.at("id")),
-      text_from(from.at("folder")),   from.at("late").get<bool>(),
-      text_from(from.at("problem")),  static_cast<intake::Platform>(from.at("platform").get<int>()),
-      text_from(from.at("feedback")), text_from(from.at("note"))};
+  return {text_from(from.at("name")),
+          text_from(from.at("id")),
+          text_from(from.at("folder")),
+          from.at("late").get<bool>(),
+          text_from(from.at("problem")),
+          static_cast<intake::Platform>(from.at("platform").get<int>()),
+          text_from(from.at("feedback")),
+          text_from(from.at("note")),
+          door::generation_since(from.at("course").get<std::string>())};
 }
 
 // Throws if the plan is invalid: another program may have written it.
@@ -216,7 +230,7 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   const std::string unpacked = fs::absolute(folder_to_unpack(request.out));
   intake::HandedInByAll all = intake::handed_in(
       request.input, unpacked, tasks,
-      intake::unpack_boxed(config.root, config.work, programs, request.must_isolate), progress);
+      intake::boxed_readers(config.root, config.work, programs, request.must_isolate), progress);
   plan.everybody = std::move(all.everybody);
   plan.unclaimed = std::move(all.unclaimed);
   plan.work_is_unclaimed = all.work_is_unclaimed;

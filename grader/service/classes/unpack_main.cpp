@@ -1,5 +1,5 @@
 // unpack NAME one|everybody: unpacks the archive on standard input in the folder where this program
-// starts. grade_class runs it in a box (grader/service/intake/unpack_boxed.h), which limits its
+// starts. grade_class runs it in a box (grader/service/intake/boxed_readers.h), which limits its
 // time, memory and files. So an archive that crashes the library, or never ends, harms only its own
 // submission. The exit status is 2 if the archive is at fault, 3 if the machine is.
 #include "grader/service/intake/reader_program.h"

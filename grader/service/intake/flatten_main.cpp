@@ -1,6 +1,6 @@
 // flatten TEXTS: writes the twelve task files of the packed clone on standard input to the folder where this
 // program starts. TEXTS is the folder grader/door. grade runs it in a box
-// (grader/service/intake/flatten_boxed.h), so a clone that makes it crash, or never end, harms only
+// (grader/service/intake/boxed_readers.h), so a clone that makes it crash, or never end, harms only
 // itself. The exit status is 2 if the clone is at fault, 3 if the machine is.
 #include "grader/door/flatten.h"
 #include "grader/service/intake/reader_program.h"
@@ -24,6 +24,7 @@ void flatten_all(const std::string& folder) {
     if (!texts.tasks.contains(task.slug)) continue;
     std::filesystem::create_directories(task.part);
     pt::write_file(task.file(), door::flatten(clone, texts, task.slug));
+    pt::write_file(task.file() + door::kFunctions, door::functions_of(clone, texts, task.slug));
   }
 }
 

@@ -59,10 +59,10 @@ Labels labels_of(const std::vector<fs::directory_entry>& entries) {
 
 class Intake {
  public:
-  Intake(fs::path work, const std::vector<TaskFile>& tasks, const Unpack& unpack,
+  Intake(fs::path work, const std::vector<TaskFile>& tasks, const Readers& readers,
          const Progress& progress)
       : work_(std::move(work)),
-        tools_{tasks, unpack, [this] { return next_folder(); }},
+        tools_{tasks, readers, [this] { return next_folder(); }},
         progress_(progress) {
     fs::remove_all(work_);
   }
@@ -91,7 +91,7 @@ class Intake {
     if (fs::is_directory(input)) return input;
     fs::path folder = work_ / "all";
     fs::create_directories(work_);
-    const std::string problem = tools_.unpack(input, folder, Extent::everybody);
+    const std::string problem = tools_.readers.unpack(input, folder, Extent::everybody);
     if (!problem.empty()) throw pt::Error(problem);
     for (const Fault& fault : read_faults(folder)) {
       faults_.emplace((folder / fault.path).string(), fault.reason);
@@ -262,9 +262,9 @@ class Intake {
 }  // namespace
 
 HandedInByAll handed_in(const std::string& input, const std::string& work,
-                        const std::vector<TaskFile>& tasks, const Unpack& unpack,
+                        const std::vector<TaskFile>& tasks, const Readers& readers,
                         const Progress& progress) {
-  return Intake(work, tasks, unpack, progress).run(input);
+  return Intake(work, tasks, readers, progress).run(input);
 }
 
 }  // namespace grader::intake

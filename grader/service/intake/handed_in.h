@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct HandedIn {
   Platform platform = Platform::none;
   std::string feedback{};  // the path under which the platform takes a page back; empty: none
   std::string note{};      // which files count of those that differ, in one sentence; else empty
+  std::optional<door::Generation> course{};  // of a clone of the course: the files are made of it
 };
 
 // Called when the number of submissions is known, and after each submission.
@@ -48,6 +50,6 @@ struct HandedInByAll {
 // submission, or if the machine is at fault.
 HandedInByAll handed_in(
     const std::string& input, const std::string& work, const std::vector<TaskFile>& tasks,
-    const Unpack& unpack, const Progress& progress = [](std::size_t, std::size_t) {});
+    const Readers& readers, const Progress& progress = [](std::size_t, std::size_t) {});
 
 }  // namespace grader::intake

@@ -89,6 +89,7 @@ HandedIn with(HandedIn by, const Prepared& prepared) {
   by.folder = prepared.folder;
   by.problem = prepared.problem;
   by.note = prepared.note;
+  by.course = prepared.course;
   return by;
 }
 

@@ -59,6 +59,7 @@ struct Work {
   bool nothing = false;
   std::vector<std::string> notes{};
   bool is_flat = false;  // without folders for the parts, as files of platforms are
+  std::optional<door::Generation> course{};  // of a clone: the folder has what was made of it
 };
 
 // Puts a file of the same kind in the place of one that cannot be used: the judge rejects it for the same
@@ -114,8 +115,9 @@ std::string sentence(const std::vector<std::string>& notes) {
 }
 
 Prepared prepared(const Work& work, const IntakeTools& tools) {
-  if (!work.problem.empty()) return {work.folder, work.problem, "", work.nothing};
+  if (!work.problem.empty()) return {work.folder, work.problem, "", work.nothing, work.course};
   Prepared result = work.folder.empty() ? copy_tasks(work, tools) : Prepared{work.folder, ""};
+  result.course = work.course;
   std::vector<std::string> notes = work.notes;
   if (!result.note.empty()) notes.insert(notes.begin(), result.note);
   result.note = sentence(notes);
@@ -134,7 +136,7 @@ Work unpack_at(const fs::path& archive, const IntakeTools& tools, int depth) {
                         as_file_name(archive.filename()))};
   }
   const fs::path folder = tools.next_folder();
-  const std::string problem = tools.unpack(archive, folder, Extent::one);
+  const std::string problem = tools.readers.unpack(archive, folder, Extent::one);
   if (problem.empty()) return settle(folder, tools, depth + 1);
   fs::remove_all(folder);  // it may be incomplete
   return {folder, {}, problem};
@@ -145,6 +147,9 @@ void add_archive(Work& work, const fs::path& archive, const IntakeTools& tools, 
   const Work inner = unpack_at(archive, tools, depth);
   const std::string name = as_file_name(archive.filename());
   if (inner.nothing) return;
+  if (inner.course)
+    return work.notes.push_back(
+        fmt::format("the clone in '{}' beside the files does not count", name));
   if (!inner.problem.empty())
     return work.notes.push_back(
         fmt::format("'{}' beside the files does not count: {}", name, inner.problem));
@@ -164,8 +169,42 @@ void add_archive(Work& work, const fs::path& archive, const IntakeTools& tools, 
                                      fmt::join(other, ", "), name, other.size() == 1 ? "es" : ""));
 }
 
+// The task files that are made of a clone.
+Work flattened(const fs::path& folder, const std::vector<fs::path>& clones,
+               const IntakeTools& tools) {
+  if (clones.size() > 1) {
+    return {
+        folder,
+        {},
+        fmt::format("it has {} clones of the course's skeleton, '{}' and '{}' among them; keep one",
+                    clones.size(), as_file_name(clones[0].filename()),
+                    as_file_name(clones[1].filename()))};
+  }
+  const door::Clone clone = door::read_clone(clones[0]);
+  Work work{tools.next_folder(), {}, clone.problem};
+  work.course = door::course_of(clone).generation;
+  if (work.problem.empty())
+    work.problem =
+        tools.readers.flatten((clones[0] / "").parent_path().filename(), clone, work.folder);
+  return work;
+}
+
+// The clones in the folder, if no task file lies outside of them.
+std::vector<fs::path> clones_that_count(const fs::path& folder, const Tree& tree,
+                                        const IntakeTools& tools) {
+  if (!tools.readers.flatten) return {};
+  const std::vector<fs::path> clones = door::clones_in(folder);
+  const bool all_inside = std::ranges::all_of(tree.files, [&](const auto& file) {
+    return std::ranges::any_of(clones,
+                               [&](const fs::path& each) { return lies_in(file.second, each); });
+  });
+  return all_inside ? clones : std::vector<fs::path>();
+}
+
 Work settle(const fs::path& folder, const IntakeTools& tools, int depth) {
   const Tree tree = look_inside(folder, tools.tasks);
+  const std::vector<fs::path> clones = clones_that_count(folder, tree, tools);
+  if (!clones.empty()) return flattened(folder, clones, tools);
   const std::vector<fs::path>& archives = tree.archives;
   Work work{tree.root, tree.files, tree.problem, false, tree.notes};
   const std::string several =
@@ -197,11 +236,11 @@ Work settle_attempts(const std::vector<fs::path>& folders, const IntakeTools& to
   std::set<std::string> earlier;
   for (const fs::path& folder : folders) {
     const Work work = settle(folder, tools, 0);
-    if (work.nothing && !all.files.empty()) {
+    if (work.nothing && (all.course || !all.files.empty())) {
       all.notes.emplace_back("the last attempt holds no task file, so an earlier one counts");
       continue;
     }
-    if (!work.problem.empty() || all.files.empty()) {
+    if (!work.problem.empty() || work.course || all.files.empty()) {
       all = work;
       continue;
     }

@@ -1,6 +1,7 @@
 #include "grader/service/intake/tree.h"
 
 #include "grader/base/descriptor.h"
+#include "grader/door/clone.h"
 #include "grader/service/intake/file_name.h"
 
 #include <algorithm>
@@ -217,6 +218,7 @@ std::vector<std::string> notes_on_others(const Tree& tree, const fs::path& folde
 bool is_submission(const fs::path& folder, const std::vector<TaskFile>& tasks) {
   if (fs::exists(folder / ".git")) return true;
   const fs::path root = base::submission_root(folder);
+  if (door::is_clone(root)) return true;
   for (const fs::path& top : {root, root / "student"}) {
     if (!fs::is_directory(top)) continue;
     for (const auto& entry : fs::directory_iterator(top)) {

@@ -1,6 +1,7 @@
 #include "grader/service/intake/unpack.h"
 
 #include "grader/base/descriptor.h"
+#include "grader/door/clone.h"
 #include "grader/service/intake/archive_reader.h"
 #include "grader/service/intake/entry_path.h"
 #include "grader/service/intake/file_name.h"
@@ -46,7 +47,7 @@ constexpr const char* kLeadsOut =
     "folder again\"\n";
 
 bool is_useful(const std::string& name) {
-  return is_source(name) || name == kGradescopeList || is_archive(name);
+  return is_source(name) || door::is_read(name) || name == kGradescopeList || is_archive(name);
 }
 
 class Unpacking {

@@ -30,7 +30,7 @@ struct Limits {
   Bounds one = kBoundsOfOne, everybody = kBoundsOfEverybody;
 };
 
-// Writes source files, archives and kGradescopeList from an archive (zip, tar, 7-zip, RAR,
+// Writes source files, headers, archives and kGradescopeList from an archive (zip, tar, 7-zip, RAR,
 // compressed in any usual way) to the new folder `folder`. The first few other files become empty
 // files, so that messages can name them. Links, devices, hidden files, and paths that lead out of
 // the folder are left out; instead of such a source file there is a file that the compiler refuses,

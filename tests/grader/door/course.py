@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""course.py PROGRAMS [right | mistakes]: grades clones of the look-alike of a course's skeleton (tests/fixtures/course/). Right work has all
+"""course.py PROGRAMS [right | mistakes | doors]: grades clones of the look-alike of a course's skeleton (tests/fixtures/course/). Right work has all
 points in the dialect of its year; what is handed out earns nothing; each mistake fails in its own task; messages name the learner's
 files."""
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -112,9 +113,40 @@ def messages():
     expect(said == {"build_bvh": ("rejected", "not judged: BVHNode is not the course's"), "hit_box": ("pass", "")}, "another tree", said)
 
 
+def packed():
+    """A clone in an archive, in a folder with other files, or in a class has the verdicts of the clone."""
+    clone = made("packed", 2020, edits=[MISTAKES[5][2]])
+    _, plain = grade(clone, "2")
+    klass = os.path.join(folder.name, "class")
+    os.makedirs(klass + "/Bob/mine")
+    shutil.copytree(clone, klass + "/Ada")
+    shutil.copytree(clone, klass + "/Bob/mine/p1")
+    for name, form in ("Cem", "zip"), ("Dia", "gztar"):
+        shutil.make_archive(f"{klass}/{name}", form, folder.name, "packed")
+    for name in ("Bob", "Cem.zip", "Dia.tar.gz"):
+        _, results = grade(f"{klass}/{name}", "2")
+        expect(verdicts(results) == verdicts(plain), name, verdicts(results))
+    made("class/Eve", 2022)
+    run = subprocess.run([PROGRAMS + "/grade_class", klass, "--out", klass + "-out", "--not-isolated", "--", "--no-pictures", "2"],
+                         capture_output=True, text=True, check=False)
+    expect(run.returncode == 0, "grade-class", run.stdout + run.stderr)
+    for name in ("Ada", "Bob", "Cem", "Dia", "Eve"):
+        with open(f"{klass}-out/{name}.json", encoding="utf-8") as file:
+            results = json.load(file)
+        year = 2022 if name == "Eve" else 2020
+        expect(results["dialect"] == DIALECTS[year], f"the dialect of {name}", results["dialect"])
+        expect((verdicts(results) == verdicts(plain)) != (name == "Eve"), f"{name} in a class", verdicts(results))
+
+
+def verdicts(results):
+    return [(task["slug"], task["state"], task["points"], broken(task)) for task in results["tasks"]]
+
+
 if sys.argv[2] == "right":
     right_work([2019, 2020, 2022, 2023])
     unwritten([2019, 2020, 2023])
+elif sys.argv[2] == "doors":
+    packed()
 else:
     mistakes()
     messages()

@@ -120,6 +120,20 @@ TEST(Flatten, leaves_an_include_in_a_comment_alone) {
   EXPECT_THAT(flat("#include <bits/stdc++.h>\n"), HasSubstr("__has_include(<bits/stdc++.h>)"));
 }
 
+TEST(Flatten, tells_the_tasks_of_a_file_apart) {
+  const auto functions = [](const std::string& body, const char* slug) {
+    Clone clone;
+    clone.files["src/pathtracer/pathtracer.cpp"] = {
+        "int n;\nVector3D PathTracer::estimate_direct_lighting_importance(const Ray& r) {" + body +
+        "}\nvoid PathTracer::raytrace_pixel(size_t x) { }\n"};
+    return functions_of(clone, texts(), slug);
+  };
+  EXPECT_NE(functions("a();", "direct_lights"), functions("b();", "direct_lights"));
+  EXPECT_EQ(functions("a();", "estimate_pixel"), functions("b();", "estimate_pixel"));
+  EXPECT_THAT(functions("", "estimate_pixel"), testing::StartsWith("PathTracer::raytrace_pixel"));
+  EXPECT_EQ(functions("", "hit_box"), "");
+}
+
 TEST(Flatten, sees_what_is_not_written_yet) {
   const auto is_written = [](const std::string& body) {
     return flat("bool BBox::intersect(const Ray& r, double& t0, double& t1) const {" + body + "}")

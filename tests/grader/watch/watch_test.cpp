@@ -421,6 +421,30 @@ TEST_F(WatchTest, starts_anew_when_the_file_is_saved_again) {
               HasSubstr("graded hit_triangle\ngraded hit_triangle\nfinished hit_triangle\n"));
 }
 
+// Of the tasks of a file, those whose functions were changed; of a header, all that include it.
+TEST_F(WatchTest, judges_what_is_saved_in_a_clone) {
+  const std::string clone = here_ + "/clone",
+                    make = FIRSTLIGHT_ROOT "/tests/fixtures/course/make_clone.py";
+  ASSERT_EQ(std::system(("python3 " + make + " 2022 " + clone).c_str()), 0);
+  const auto replace = [&](const std::string& file, const std::string& old, const std::string& by) {
+    std::string text = pt::read_file(clone + file);
+    ASSERT_NE(text.find(old), text.npos) << old;
+    pt::write_file(clone + file, text.replace(text.find(old), old.size(), by));
+  };
+  PseudoTerminal terminal({WATCH_PROGRAM, "--submission", clone, "--config", folder_.config()});
+  begin(terminal);
+  replace("/src/scene/sphere.cpp", "{", "{ /* mine */");
+  terminal.expect("hit_sphere passes");
+  replace("/src/scene/triangle.cpp", "return test(r, t, u, v);", "return !test(r, t, u, v);");
+  terminal.expect("got for three");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+  EXPECT_THAT(pt::read_file(here_ + "/log"),
+              AllOf(HasSubstr("graded all\nfinished all\ngraded hit_sphere\nfinished hit_sphere\n"),
+                    HasSubstr("graded hit_triangle\nfinished hit_triangle\n"),
+                    Not(HasSubstr("graded build_bvh"))));
+}
+
 TEST_F(WatchTest, quits_while_a_task_is_judged) {
   pt::write_file(here_ + "/before", "sleep 1000\n");
   PseudoTerminal terminal(command());

@@ -88,8 +88,17 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
       return std::string(error.what());
     }
   };
+  // A clone becomes one task file, its path tracer.
+  const Flatten flatten_here = [](const std::string&, const door::Clone& clone,
+                                  const std::string& folder) {
+    fs::create_directories(folder + "/1_rays");
+    pt::write_file(folder + "/1_rays/hit_box.cpp",
+                   clone.find("src/pathtracer/pathtracer.cpp")->text);
+    return std::string();
+  };
+  const Readers readers{unpack_here, flatten_here};
   std::map<std::string, Seen> all;
-  const HandedInByAll handed = handed_in(input, folder_.path() + "/work", kTasks, unpack_here);
+  const HandedInByAll handed = handed_in(input, folder_.path() + "/work", kTasks, readers);
   unclaimed_ = handed.unclaimed;
   work_is_unclaimed_ = handed.work_is_unclaimed;
   for (const HandedIn& each : handed.everybody) {
@@ -102,16 +111,17 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
       }
     }
     if (each.problem.empty()) one.judged = judged_in(each.folder);
+    one.course = each.course;
     EXPECT_TRUE(all.emplace(each.name, one).second) << each.name << " twice";
   }
-  if (fs::is_directory(input)) expect_the_same_at_the_other_doors(input, all, unpack_here);
+  if (fs::is_directory(input)) expect_the_same_at_the_other_doors(input, all, readers);
   return all;
 }
 
 // ./run grade takes a folder or an archive, and the autograder of a platform a folder with it.
 void Intake::expect_the_same_at_the_other_doors(const fs::path& input,
                                                 const std::map<std::string, Seen>& all,
-                                                const Unpack& unpack) const {
+                                                const Readers& readers) const {
   int folders = 0;
   const auto next = [&] { return fs::path(folder_.path()) / "doors" / std::to_string(++folders); };
   for (const auto& entry : fs::directory_iterator(input)) {
@@ -127,9 +137,10 @@ void Intake::expect_the_same_at_the_other_doors(const fs::path& input,
       fs::copy_file(path, doors[1] / path.filename());
     }
     for (const fs::path& door : doors) {
-      const Prepared taken = prepare_submission("it", door, {kTasks, unpack, next});
+      const Prepared taken = prepare_submission("it", door, {kTasks, readers, next});
       EXPECT_EQ(taken.problem, row->second.problem) << door;
       EXPECT_EQ(taken.note, row->second.note) << door;
+      EXPECT_EQ(taken.course, row->second.course) << door;
       const Files judged = taken.problem.empty() ? judged_in(taken.folder) : Files();
       EXPECT_EQ(judged, row->second.judged) << door;
     }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,7 @@ class Intake : public testing::Test {
     std::map<std::string, std::string> files{};
     std::map<std::string, std::string>
         judged{};  // what the judge reads, by task, or why it rejects it
+    std::optional<door::Generation> course{};
   };
   // It also expects that each folder and archive of a learner gives the same without its class.
   std::map<std::string, Seen> seen(const std::filesystem::path& input) const;
@@ -71,7 +73,7 @@ class Intake : public testing::Test {
  private:
   void expect_the_same_at_the_other_doors(const std::filesystem::path& input,
                                           const std::map<std::string, Seen>& all,
-                                          const Unpack& unpack) const;
+                                          const Readers& readers) const;
 };
 
 }  // namespace grader::intake

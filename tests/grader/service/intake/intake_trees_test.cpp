@@ -31,6 +31,46 @@ TEST_F(Intake, folders_and_archives_of_any_name_are_submissions) {
   EXPECT_EQ(all["Łukasz 北"].files, (Files{{"hit_box.cpp", "c"}}));
 }
 
+TEST_F(Intake, clones_of_the_course_are_submissions) {
+  const char* const kTracer = "src/pathtracer/pathtracer.cpp";
+  const std::vector<Entry> clone{{std::string("p1/") + kTracer, "b"},
+                                 {"p1/src/pathtracer/pathtracer.h", "Spectrum"}};
+  add(std::string("ada/") + kTracer, "a");
+  add("ada/src/scene/hit_sphere.cpp", "a file of the clone, whatever its name");
+  add("bob.zip", archive_of(clone));
+  add("cem/deep/p1.tar.gz", archive_of(clone, Format::tar_gz));
+  add("dia/repo/p1/src/pathtracer/pathtracer.cpp", "d");
+  add("dia/readme.txt", "my report");
+  add(std::string("eve/p1/") + kTracer, "of another course");
+  add("eve/hit_triangle.cpp", "e");
+  add(std::string("fay/old/") + kTracer, "f");
+  add(std::string("fay/new/") + kTracer, "f");
+  auto all = seen();
+  ASSERT_EQ(all.size(), 6U);
+  for (const auto& [name, text] : Files{{"ada", "a"}, {"bob", "b"}, {"cem", "b"}, {"dia", "d"}}) {
+    EXPECT_EQ(all[name].judged, (Files{{"hit_box", text}})) << name;
+    EXPECT_EQ(all[name].course, text == "b" ? door::Generation::of_2020 : door::Generation::of_2022)
+        << name;
+  }
+  EXPECT_EQ(all["eve"].judged, (Files{{"hit_triangle", "e"}}));
+  EXPECT_FALSE(all["eve"].course);
+  EXPECT_EQ(all["fay"].problem,
+            "it has 2 clones of the course's skeleton, 'new' and 'old' among them; keep one");
+}
+
+TEST_F(Intake, the_last_attempt_counts_whether_it_is_a_clone_or_not) {
+  const std::vector<Entry> clone{{"p1/src/pathtracer/pathtracer.cpp", "a clone"}};
+  const std::string first = "Ada_1_assignsubmission_file_/",
+                    second = "Bob_2_assignsubmission_file_/";
+  add(first + "p1.zip", archive_of(clone));
+  add(second + "hit_box.cpp", "b");
+  add(second + "p1.zip", archive_of(clone));
+  auto all = seen();
+  EXPECT_EQ(all["Ada"].judged, (Files{{"hit_box", "a clone"}}));
+  EXPECT_EQ(all["Bob"].judged, (Files{{"hit_box", "b"}}));
+  EXPECT_EQ(all["Bob"].note, "the clone in 'p1.zip' beside the files does not count");
+}
+
 TEST_F(Intake, a_submission_that_is_hidden_is_named) {
   add("ada/hit_box.cpp", "a");
   add(".bob/1_rays/hit_box.cpp", "b");
@@ -247,10 +287,9 @@ TEST_F(Intake, progress_counts_submissions) {
   using Told = std::vector<std::pair<std::size_t, std::size_t>>;
   const auto told = [&](const fs::path& input) {
     Told all;
-    handed_in(
-        input, folder_.path() + "/work", kTasks,
-        [](const std::string&, const std::string&, Extent) { return "not now"; },
-        [&](std::size_t done, std::size_t of) { all.emplace_back(done, of); });
+    handed_in(input, folder_.path() + "/work", kTasks,
+              {[](const std::string&, const std::string&, Extent) { return "not now"; }},
+              [&](std::size_t done, std::size_t of) { all.emplace_back(done, of); });
     return all;
   };
   // Two files of one learner are one submission.
@@ -272,7 +311,7 @@ TEST_F(Intake, faults_of_the_machine_are_nobodys) {
   const auto full = [](const std::string&, const std::string&, Extent) -> std::string {
     throw pt::Error("the disk is full");
   };
-  EXPECT_THAT([&] { handed_in(in(), folder_.path() + "/work", kTasks, full); },
+  EXPECT_THAT([&] { handed_in(in(), folder_.path() + "/work", kTasks, {full}); },
               testing::ThrowsMessage<pt::Error>("the disk is full"));
 }
 
