@@ -231,12 +231,12 @@ inline Input halving_points(int axis, int n, double first = 1, int max_leaf = 1)
   return input;
 }
 
-// A thousand points, each half as far from the first corner as the point before, one per leaf.
-inline rc::Gen<Input> a_thousand_halvings() {
-  return rc::gen::exec([] {
+// So many points, each half as far from the first corner as the point before, one per leaf.
+inline rc::Gen<Input> halvings(int points) {
+  return rc::gen::exec([=] {
     const int axis = *whole(0, 2);
     RandomNumbers make(*sampler_seed());
-    Input input{boxes_of_kind(Kind::halving, 1000, axis, make), 1, words(Kind::halving)};
+    Input input{boxes_of_kind(Kind::halving, points, axis, make), 1, words(Kind::halving)};
     make.shuffle(input.boxes);
     return input;
   });

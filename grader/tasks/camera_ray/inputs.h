@@ -50,12 +50,15 @@ inline pt::Interval clip_range() {
   return {near, near + way};
 }
 
-// One of four has equal fields of view, and another one any range instead of that of camera_of.
+// Of five, one has equal fields of view, one has nearly equal ones, and one has any range instead of that of camera_of.
 inline rc::Gen<pt::Camera> unmoved() {
   return rc::gen::exec([] {
-    const double hfov_deg = field_of_view(), vfov_deg = field_of_view();
-    const int kind = *whole(0, 3);
-    if (kind != 1) return camera_of(hfov_deg, kind == 0 ? hfov_deg : vfov_deg);
+    const double hfov_deg = field_of_view();
+    const int kind = *whole(0, 4);
+    const double vfov_deg = kind == 0   ? hfov_deg
+                            : kind == 1 ? hfov_deg * (1 - *magnitude(1e-5, 1e-2))
+                                        : field_of_view();
+    if (kind != 2) return camera_of(hfov_deg, vfov_deg);
     const auto [near, far] = clip_range();
     return camera_of(hfov_deg, vfov_deg, near, far);
   });

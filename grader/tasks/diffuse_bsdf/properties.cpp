@@ -3,11 +3,13 @@
 #include "grader/check/language/in_a_row.h"
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
+#include "grader/check/language/repetition.h"
 #include "grader/tasks/diffuse_bsdf/density.h"
 #include "grader/tasks/diffuse_bsdf/inputs.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -149,9 +151,10 @@ PROMISE(diffuse_bsdf, a_sample_knows_its_own_f_and_pdf) {
 }
 
 PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
+  std::vector<std::array<double, 3>> all;
   for (int kind = 0; kind < kAlbedoKinds; ++kind) {
     for_all(
-        [kind] {
+        [&, kind] {
           const Rgb albedo = draw("albedo", albedo_of_kind(kind));
           const Vec3 wo = draw("wo", above());
           std::vector<DirectionCell> cells = expected_by_pdf(wo);
@@ -159,6 +162,7 @@ PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
               repeat<pt::diffuse_sample>(kSamples, draw("seed", sampler_seed()), albedo, wo);
           count_samples(cells, samples);
           expect_spread(cells, by_the_pdf(cells));
+          for (const auto& [wi, f, pdf] : samples) all.push_back({wi.x, wi.y, wi.z});
           if (kind < kFirstBright) return;
           expect_different_samples(samples);
           expect_independent_angles({samples.begin(), samples.begin() + 1500});
@@ -172,6 +176,12 @@ PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
         expect_samples_close_to_the_horizon(albedo, wo, draw("seed", sampler_seed()));
       },
       1);
+  // A continuous density never gives a direction three times, not even one that stands for failed tries.
+  once([&] {
+    const std::size_t most = repetition(all).most;
+    expect(most <= 2, fmt::format("{} samples of a continuous density", all.size()),
+           fmt::format("exactly the same direction {} times", most));
+  });
 }
 
 PROMISE(diffuse_bsdf, pdf_sums_to_one) {

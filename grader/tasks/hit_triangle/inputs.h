@@ -145,6 +145,14 @@ inline constexpr Range kPrecise{.away = 1, .near = 0.5, .far = 2, .flat = 0.57};
 // The same with corner normals that disagree by up to 160 degrees.
 inline constexpr Range kDisagreeing{.away = 1, .near = 0.5, .far = 2, .flat = 0.57, .tilt = 1.4};
 
+// A thousand times as long as high, and met so flatly that the determinant is a twenty-millionth of the product of the lengths. In the middle, the
+// precision is a fiftieth of the height.
+inline constexpr Range kFlatSliver{
+    .thin = 1e-3, .thick = 1e-3, .away = 0.3, .near = 0.2, .far = 1, .flat = 4e-5, .steep = 6e-5};
+
+// From so close that another program would take the triangle for the surface that the ray starts on.
+inline constexpr Range kVeryClose{.away = 0.3, .near = 1e-7, .far = 1e-3, .flat = 0.57};
+
 // The best-shaped triangles, met steeply and from close by. The precision is 2.2e-9 of the size.
 inline constexpr Range kMostPrecise{.thin = 0.8, .away = 0.3, .near = 0.5, .far = 1, .flat = 1.2};
 
@@ -160,6 +168,25 @@ inline constexpr Range kAnyShape{
 
 inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
   return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
+}
+
+// Corner normals whose weighted sum at the point is short: up to a tenth, and not zero.
+inline rc::Gen<Aimed> where_normals_cancel() {
+  return rc::gen::exec([] {
+    pt::Triangle triangle = triangle_of(kPrecise);
+    const Weights w = in_the_middle();
+    const pt::Frame around = *rotation();
+    triangle.n2 = around.z;
+    // The sum of the first two, as two sides of a triangle that have known lengths.
+    const pt::Vec3 two = *magnitude(1e-3, 0.1) * *direction() - w.b2 * triangle.n2;
+    const double sum = length(two);
+    const double cosine = (sum * sum + w.b0 * w.b0 - w.b1 * w.b1) / (2 * w.b0 * sum);
+    const pt::Frame plane = pt::frame_from_normal(two / sum);
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    triangle.n0 = cosine * plane.z + sine * plane.x;
+    triangle.n1 = (two - w.b0 * triangle.n0) / w.b1;
+    return aimed_at(triangle, w, kPrecise);
+  });
 }
 
 // The same case, with all lengths multiplied. The direction keeps its length.

@@ -74,6 +74,8 @@ PROMISE(hit_triangle, hits_where_it_is_aimed) {
   for_all([] { expect_t(*aimed_inside(kFlat)); });
   // Slivers and flat angles together.
   for_all([] { expect_t(*aimed_inside(kFlatNeedle, in_the_middle)); });
+  for_all([] { expect_t(*aimed_inside(kFlatSliver, in_the_middle)); }, 40);
+  for_all([] { expect_t(*aimed_inside(kVeryClose)); }, 40);
   for_all([] { expect_t(*exactly(inside_in_eighths)); });
   // The triangle and the ray of another call are forgotten.
   for_all(
@@ -167,6 +169,10 @@ PROMISE(hit_triangle, interpolates_the_corner_normals) {
     const Aimed aimed = *aimed_inside(kDisagreeing, barely_inside);
     const auto hit = hit_from_either_side(aimed);
     if (hit) expect_direction_of_n(aimed, *hit);
+  });
+  for_all([] {
+    const Aimed aimed = *where_normals_cancel();
+    if (const auto hit = hit_from_either_side(aimed)) expect_direction_of_n(aimed, *hit);
   });
   for_all([] {
     const Aimed aimed = *aimed_inside(kAnyShape);
