@@ -12,7 +12,7 @@ namespace pt {
 // Finds what a ray meets among many primitives, with the help of a tree over their boxes.
 //
 // In:  any tree that keeps the invariants of pt/geometry/bvh.h over the boxes of `primitives`, also
-//      an empty one, one of a thousand levels, or one of a hundred thousand nodes.
+//      an empty one, one of a thousand levels, or one of three hundred thousand nodes.
 // Out: hit_bvh returns the hit with the smallest t in the ray's range, with its normal unchanged,
 //      and the primitive that was hit. If several have the same t, any of them is right.
 //      occluded_bvh returns whether there is any hit in the ray's range; it stops at the first hit

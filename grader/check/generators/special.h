@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/check/generators/generators.h"
+#include "pt/geometry/box.h"
 #include "pt/geometry/ray.h"
 
 #include <array>
@@ -8,11 +9,12 @@
 #include <initializer_list>
 #include <limits>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 // Inputs that contracts allow and that random numbers hardly ever meet: components that are zero or
 // almost zero, that are equal, and numbers with which no method has to round; and two calls whose
-// inputs differ in a single number.
+// inputs differ in a single number, or only in the order of two numbers, or in numbers of the same sum.
 
 namespace grader::check {
 
@@ -112,6 +114,44 @@ inline Changes joined(std::initializer_list<Changes> parts) {
 inline void make_one_of(const Changes& changes) {
   const Change& change = changes[*whole(0, static_cast<int>(changes.size()) - 1)];
   *change.number = change.value;
+}
+
+// Exchanges two numbers of a vector, or two of the vectors: what a task remembers of the numbers without
+// their order stays the same.
+inline void exchange_in(const std::vector<pt::Vec3*>& vectors) {
+  const int last = static_cast<int>(vectors.size()) - 1;
+  pt::Vec3 &a = *vectors[*whole(0, last)], &b = *vectors[*whole(0, last)];
+  const int axis = *whole(0, 2);
+  if (&a != &b) {
+    std::swap(a, b);
+  } else {
+    std::swap(a[axis], a[(axis + 1) % 3]);
+  }
+}
+
+// The same, or gives one number what another one is, which becomes 0: their sum stays the same, without
+// any rounding. The two are of one vector, or of one axis.
+inline void exchange_or_add_in(const std::vector<pt::Vec3*>& vectors) {
+  if (*whole(0, 1) == 0) return exchange_in(vectors);
+  const int last = static_cast<int>(vectors.size()) - 1, axis = *whole(0, 2);
+  pt::Vec3 &a = *vectors[*whole(0, last)], &b = *vectors[*whole(0, last)];
+  double &more = a[axis], &less = &a == &b ? a[(axis + 1) % 3] : b[axis];
+  more += std::exchange(less, 0);
+}
+
+// The same of a ray, whose direction has to keep a length.
+inline void exchange_or_add_in(pt::Ray& ray) {
+  const pt::Vec3 direction = ray.direction;
+  exchange_or_add_in({&ray.origin, &ray.direction});
+  if (ray.direction == pt::Vec3{}) ray.direction = direction;
+}
+
+// The same of a box, whose sides may have to change places afterwards.
+inline void exchange_or_add_in(pt::Box& box) {
+  exchange_or_add_in({&box.min, &box.max});
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min[axis] > box.max[axis]) std::swap(box.min[axis], box.max[axis]);
+  }
 }
 
 // Two calls, one after the other. What a task remembers of the first, by whatever part of it, must

@@ -69,4 +69,15 @@ std::vector<Rgb> expect_goes_on(std::uint64_t seed, const Drawing& task) {
   return answers;
 }
 
+void expect_moves_on(std::uint64_t seed, const Drawing& task) {
+  constexpr int kSamplers = 20;
+  for (int i = 0; i < kSamplers; ++i) {
+    const pt::Sampler start = pt::Sampler::for_pixel(seed, i, 0);
+    pt::Sampler sampler = start;
+    const Rgb answer = task(sampler);
+    expect(sampler.state() != start.state(), "a sampler that has moved on, whatever the call found",
+           "a sampler that has not moved on, after a call that returns " + show(answer));
+  }
+}
+
 }  // namespace grader::check

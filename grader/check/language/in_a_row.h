@@ -21,6 +21,10 @@ using Drawing = std::function<pt::Rgb(pt::Sampler&)>;
 // The arguments must make the answer random. Returns the answers.
 std::vector<pt::Rgb> expect_goes_on(std::uint64_t seed, const Drawing& task);
 
+// Calls the task with some samplers. The case fails unless each call changes the state of its sampler:
+// also a call that finds no light, or a path that leaves the scene.
+void expect_moves_on(std::uint64_t seed, const Drawing& task);
+
 // The correlation of two channels of the same answers, from -1 to 1; 0 if one of them never varies.
 double correlation(const std::vector<pt::Rgb>& answers, int a, int b);
 

@@ -158,12 +158,15 @@ SceneMaker& SceneMaker::point(Rgb albedo, Vec3 wo) {
 
 SceneMaker& SceneMaker::rectangle(const Rectangle& shape, Rgb radiance, Body body, double hidden,
                                   double way) {
-  scene_.lights.emplace_back(pt::RectangleLight{
-      pose_.point(shape.center), pose_.size * pose_.direction(shape.u),
-      pose_.size * pose_.direction(shape.v), pose_.direction(shape.n()), radiance});
+  // A light's n is cross(u, v) or its opposite.
+  const bool exchanged = shape.u.x < shape.v.x;
+  const Vec3 u = exchanged ? shape.v : shape.u, v = exchanged ? shape.u : shape.v;
+  scene_.lights.emplace_back(
+      pt::RectangleLight{pose_.point(shape.center), pose_.size * pose_.direction(u),
+                         pose_.size * pose_.direction(v), pose_.direction(shape.n()), radiance});
   lights_.push_back(fmt::format("rectangle light at {}, sides {} {}, emits to {}, radiance {}",
-                                brief(shape.center), brief(shape.u), brief(shape.v),
-                                brief(shape.n()), brief(radiance)));
+                                brief(shape.center), brief(u), brief(v), brief(shape.n()),
+                                brief(radiance)));
   shines(shape, radiance, body, hidden, way);
   return *this;
 }

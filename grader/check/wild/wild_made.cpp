@@ -91,9 +91,12 @@ class Maker {
 
   void add_rectangle(const WildLight& light, int made) {
     const Rectangle shape{light.at, light.u, light.v};
+    // A light's n is cross(u, v) or its opposite.
+    const bool exchanged = light.u.x < light.v.x;
     scene_.lights.emplace_back(pt::RectangleLight{
-        pose_.point(light.at), pose_.size * pose_.direction(light.u),
-        pose_.size * pose_.direction(light.v), pose_.direction(shape.n()), light.radiance});
+        pose_.point(light.at), pose_.size * pose_.direction(exchanged ? light.v : light.u),
+        pose_.size * pose_.direction(exchanged ? light.u : light.v), pose_.direction(shape.n()),
+        light.radiance});
     if (!light.has_body) return;
     const std::vector<Vec3> c = shape.corners();
     triangle(c[0], c[1], c[2], made);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -139,7 +140,12 @@ inline AdaptiveSettings ten_thousand() { return {10000, 10000, 0.01}; }
 // A counter of two bytes is too small for the batch or, at least, for all samples.
 inline AdaptiveSettings more_than_two_bytes_count() { return {70000, 65537, 0.01}; }
 
-// A pixel of any camera.
+// As many as an int can count.
+inline AdaptiveSettings more_than_anybody_takes() {
+  return {std::numeric_limits<int>::max(), *whole(2, 100), 0.01};
+}
+
+// A pixel of any camera. The last of seventy thousand radiances comes again and again.
 inline Case pixel(const std::string& kind, const AdaptiveSettings& settings, const Script& script) {
   Case c;
   c.settings = settings;
@@ -150,7 +156,7 @@ inline Case pixel(const std::string& kind, const AdaptiveSettings& settings, con
   c.x = *whole(0, c.width - 1);
   c.y = *whole(0, c.height - 1);
   c.seed = *sampler_seed();
-  c.seen = samples(settings.max_samples, script, c.seed + 1);
+  c.seen = samples(std::min(settings.max_samples, 70000), script, c.seed + 1);
   return c;
 }
 

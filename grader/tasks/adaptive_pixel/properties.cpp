@@ -82,6 +82,7 @@ PROMISE(adaptive_pixel, takes_one_batch_of_a_constant) {
   for_all([&] { property(many_samples); }, kLongCases);
   for_all([&] { property(ten_thousand); }, 1);
   for_all([&] { property(more_than_two_bytes_count); }, 1);
+  for_all([&] { property(more_than_anybody_takes); }, 4);
 }
 
 PROMISE(adaptive_pixel, never_exceeds_the_maximum) {
@@ -267,6 +268,24 @@ PROMISE(adaptive_pixel, covers_the_whole_pixel) {
             constant(), rc::gen::element(std::pair{64, 32}, std::pair{3, 100}, std::pair{7, 500},
                                          std::pair{1920, 1080}, std::pair{4000, 3000})));
         points_inside(*in_picture(constant(), many_pixels()));
+      },
+      20);
+  // The same pixel after another one: one with x and y exchanged, and others with the same sum or the
+  // same place in a list of rows or of columns.
+  for_all(
+      [] {
+        const Case c =
+            *in_picture(constant(), rc::gen::element(std::pair{48, 16}, std::pair{16, 48}));
+        for (const auto& [x, y] :
+             {std::pair{c.y, c.x}, std::pair{c.x + 1, c.y - 1}, std::pair{c.x - c.height, c.y + 1},
+              std::pair{c.x + 1, c.y - c.width}}) {
+          Case other = c;
+          other.x = x;
+          other.y = y;
+          if (x < 0 || y < 0 || x >= c.width || y >= c.height) continue;
+          points_inside(other);
+          points_inside(c);
+        }
       },
       20);
 }

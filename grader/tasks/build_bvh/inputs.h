@@ -250,10 +250,23 @@ inline Input in_a_line(int boxes, int max_leaf) {
   return row;
 }
 
+// The same with two boxes exchanged, or with other numbers of the same sum in a box.
+inline Input exchanged(Input input) {
+  const int last = static_cast<int>(input.boxes.size()) - 1;
+  pt::Box &box = input.boxes[*whole(0, last)], &other = input.boxes[*whole(0, last)];
+  if (&box != &other && *whole(0, 1) == 0) {
+    std::swap(box, other);
+  } else {
+    exchange_or_add_in(box);
+  }
+  return input;
+}
+
 // The same with one number changed: the largest corner of the first, the last or any box, the number
-// of boxes, or max_leaf.
+// of boxes, or max_leaf; or with numbers exchanged.
 inline Input changed(Input input) {
-  const int last = static_cast<int>(input.boxes.size()) - 1, kind = *whole(0, 5);
+  const int last = static_cast<int>(input.boxes.size()) - 1, kind = *whole(0, 8);
+  if (kind > 5) return exchanged(input);
   if (kind == 0) input.max_leaf = 2 * input.max_leaf + 1;
   if (kind == 1) input.boxes.push_back(input.boxes[0]);
   if (kind == 2 && last > 0) input.boxes.pop_back();
@@ -282,17 +295,19 @@ struct Rows {
   double length = 64;  // of a row
   pt::Vec3 corner{};
   double jitter = 1e-2;  // in lengths of a row, on the axis after that of a row
+  int flat = -1;         // the axis on which all boxes are flat and in one plane, or -1
 };
 
 // The boxes are in random order. They are also moved a little on both axes across a row, ten
 // thousand times as far on one axis as on the other. This is less than their own size, so that a
 // split on these axes separates nothing.
 inline Boxes boxes_in(const Rows& rows, RandomNumbers& make) {
-  const auto& [along, across, count, each, length, corner, jitter] = rows;
+  const auto& [along, across, count, each, length, corner, jitter, flat] = rows;
   pt::Vec3 moved, half{0.01 * length, 0.01 * length, 0.01 * length};
   moved[(along + 1) % 3] = jitter * length;
   moved[(along + 2) % 3] = 1e-8 * length * length / moved[(along + 1) % 3];
   half[along] = 0.4 * length / each;
+  if (flat >= 0) moved[flat] = half[flat] = 0;
   Boxes boxes;
   for (int row = 0; row < count; ++row) {
     for (int i = 0; i < each; ++i) {
@@ -309,7 +324,8 @@ inline Boxes boxes_in(const Rows& rows, RandomNumbers& make) {
 
 inline std::string words(const Rows& rows) {
   const std::string axes = "xyz";
-  const std::string row = show(rows.length) + " long along " + axes[rows.along];
+  const std::string flat = rows.flat < 0 ? "" : std::string(", all flat in ") + axes[rows.flat];
+  const std::string row = show(rows.length) + " long along " + axes[rows.along] + flat;
   return rows.count == 1 ? "in one row, in no order, " + row
                          : "in " + std::to_string(rows.count) + " rows, in no order, each " + row +
                                ", side by side along " + axes[rows.across];
@@ -329,6 +345,7 @@ inline rc::Gen<InRows> in_rows(int along, int count, int each) {
     rows.length = *magnitude(1e-9, 1e9);
     rows.corner = rows.length * *point(5);
     rows.jitter = *rc::gen::element(1e-6, 1e-2);
+    if (const int axis = *whole(0, 2); axis > 0) rows.flat = (along + axis) % 3;
     RandomNumbers make(*sampler_seed());
     return InRows{rows, {boxes_in(rows, make), max_leaf, words(rows)}};
   });

@@ -194,6 +194,16 @@ inline Aimed changed(Aimed aimed) {
   return aimed;
 }
 
+// The same with x and y, the two angles, or two numbers of the position exchanged.
+inline Aimed exchanged(Aimed aimed) {
+  auto& [camera, at] = aimed;
+  const int kind = *whole(0, 2);
+  if (kind == 0) std::swap(at.x, at.y);
+  if (kind == 1) std::swap(camera.hfov_deg, camera.vfov_deg);
+  if (kind == 2) exchange_or_add_in({&camera.position});
+  return aimed;
+}
+
 // The size of the window, at distance 1.
 struct Window {
   double width, height;

@@ -33,13 +33,15 @@ void for_all_calls(const rc::Gen<Aimed>& calls, const Check& check, int cases = 
         check(aimed, ray_of(aimed));
       },
       cases);
-  if (testing::Test::HasFailure()) return;
-  for_all(
-      [&] {
-        const auto both = *in_turn(calls, changed);
-        check(both.now, second_ray(both));
-      },
-      cases);
+  for (const auto& other : {&changed, &exchanged}) {
+    if (testing::Test::HasFailure()) return;
+    for_all(
+        [&] {
+          const auto both = *in_turn(calls, other);
+          check(both.now, second_ray(both));
+        },
+        cases);
+  }
 }
 
 PROMISE(camera_ray, starts_at_the_camera) {
@@ -104,17 +106,19 @@ PROMISE(camera_ray, fills_the_field_of_view) {
     expect_half_angle("top", c.vfov_deg, at(0.5, 1).y, centre.y, window.height);
   });
   // The window of another camera, or another point of it, is forgotten.
-  for_all([] {
-    const auto calls = *in_turn(aimed(unmoved()), changed);
-    const auto& [c, at] = calls.now;
-    const Window window = window_of(c);
-    const pt::Vec2 right{(at.x - 0.5) * window.width, (at.y - 0.5) * window.height};
-    const pt::Vec2 got = on_plane(second_ray(calls).direction);
-    expect_near("x on the window, from its centre", got.x, right.x,
-                4 * tolerance(window.width, right));
-    expect_near("y on the window, from its centre", got.y, right.y,
-                4 * tolerance(window.height, right));
-  });
+  for (const auto& other : {&changed, &exchanged}) {
+    for_all([=] {
+      const auto calls = *in_turn(aimed(unmoved()), other);
+      const auto& [c, at] = calls.now;
+      const Window window = window_of(c);
+      const pt::Vec2 right{(at.x - 0.5) * window.width, (at.y - 0.5) * window.height};
+      const pt::Vec2 got = on_plane(second_ray(calls).direction);
+      expect_near("x on the window, from its centre", got.x, right.x,
+                  4 * tolerance(window.width, right));
+      expect_near("y on the window, from its centre", got.y, right.y,
+                  4 * tolerance(window.height, right));
+    });
+  }
 }
 
 PROMISE(camera_ray, puts_x_to_the_right_and_y_up) {

@@ -1,5 +1,6 @@
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/random_numbers.h"
+#include "grader/check/generators/special.h"
 #include "grader/check/language/in_a_row.h"
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,6 +50,20 @@ PROMISE(diffuse_bsdf, f_reflects_the_albedo) {
         }
       },
       12);
+  // The same, of surfaces whose channels are exchanged, or have the same sum.
+  for_all(
+      [] {
+        const Rgb albedo = draw("albedo", color(0.05, 0.5));
+        const int more = *whole(0, 2), less = (more + *whole(1, 2)) % 3;
+        Rgb exchanged = albedo, of_same_sum = albedo;
+        std::swap(exchanged[more], exchanged[less]);
+        of_same_sum[more] += std::exchange(of_same_sum[less], 0);
+        for (const Rgb each : {albedo, exchanged, albedo, of_same_sum}) {
+          expect_near("f along the normal, after an albedo with other channels",
+                      pt::diffuse_f(each, {0, 0, 1}, {0, 0, 1}), each / pt::kPi, tolerance(each));
+        }
+      },
+      20);
 }
 
 // Any constant is the same for all directions. So f has to be a BSDF of the albedo, at least to a
@@ -150,8 +166,21 @@ PROMISE(diffuse_bsdf, a_sample_knows_its_own_f_and_pdf) {
   });
 }
 
+// The pdf of a direction is the same after a call with exchanged numbers.
+void expect_same_pdf_after_another() {
+  const Vec3 wo = draw("wo", above()), wi = draw("wi", above());
+  const double alone = pt::diffuse_pdf(wo, wi);
+  pt::diffuse_pdf({0, 0, 1}, {0, 0, 1});
+  Vec3 other_wo = wo, other_wi = wi;
+  exchange_in({&other_wo, &other_wi});
+  pt::diffuse_pdf(other_wo, other_wi);
+  expect_near(fmt::format("the pdf, after that of wo {} and wi {}", show(other_wo), show(other_wi)),
+              pt::diffuse_pdf(wo, wi), alone, kColorPrecision);
+}
+
 PROMISE(diffuse_bsdf, pdf_is_the_density_of_the_samples) {
   std::vector<std::array<double, 3>> all;
+  for_all(expect_same_pdf_after_another, 40);
   for (int kind = 0; kind < kAlbedoKinds; ++kind) {
     for_all(
         [&, kind] {
@@ -231,6 +260,17 @@ PROMISE(diffuse_bsdf, draws_from_the_sampler_alone) {
         },
         1);
   }
+  for_all(
+      [] {
+        const Rgb albedo = draw("albedo", rc::gen::oneOf(any_albedo(), rc::gen::just(Rgb{})));
+        const Vec3 up = draw("wo", above());
+        const Vec3 wo = draw("seen from below", rc::gen::arbitrary<bool>()) ? mirrored(up) : up;
+        expect_moves_on(draw("seed", sampler_seed()), [=](pt::Sampler& sampler) {
+          const Vec3 wi = pt::diffuse_sample(albedo, wo, sampler).wi;
+          return Rgb{wi.x, wi.y, wi.z};
+        });
+      },
+      12);
 }
 
 }  // namespace

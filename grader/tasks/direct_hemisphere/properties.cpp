@@ -373,6 +373,15 @@ PROMISE(direct_hemisphere, draws_from_the_sampler_alone) {
         },
         1);
   }
+  // Few directions meet this lamp, and most calls of one sample find no light.
+  for_all(
+      [] {
+        const Situation s = *under_a_small_lamp();
+        expect_moves_on(draw("seed", sampler_seed()), [&](pt::Sampler& sampler) {
+          return pt::direct_hemisphere(s.scene, s.point, 1, sampler);
+        });
+      },
+      4);
   expect_explained(wild_task());
 }
 

@@ -53,6 +53,18 @@ inline rc::Gen<Pixel> pixel() {
   });
 }
 
+// A pixel of a picture that is three times as long as wide.
+inline rc::Gen<Pixel> pixel_of_a_long_picture() {
+  return rc::gen::exec([] {
+    Pixel p;
+    p.camera = *camera();
+    std::tie(p.width, p.height) = *rc::gen::element(std::pair{48, 16}, std::pair{16, 48});
+    p.x = *whole(0, p.width - 1);
+    p.y = *whole(0, p.height - 1);
+    return p;
+  });
+}
+
 // A pixel of a picture with so few pixels that the error of a camera ray is far smaller than a
 // pixel.
 inline rc::Gen<Pixel> large_pixel() {

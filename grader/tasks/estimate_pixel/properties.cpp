@@ -109,6 +109,24 @@ PROMISE(estimate_pixel, stays_inside_the_pixel) {
     const Pixel p = *pixel();
     expect_inside(p, some_samples(), pt::Sampler(draw("seed", sampler_seed())));
   });
+  // The same pixel after another one: one with x and y exchanged, and others with the same sum or the
+  // same place in a list of rows or of columns.
+  for_all(
+      [] {
+        const Pixel p = *pixel_of_a_long_picture();
+        const pt::Sampler sampler(draw("seed", sampler_seed()));
+        for (const auto& [x, y] :
+             {std::pair{p.y, p.x}, std::pair{p.x + 1, p.y - 1}, std::pair{p.x - p.height, p.y + 1},
+              std::pair{p.x + 1, p.y - p.width}}) {
+          Pixel other = p;
+          other.x = x;
+          other.y = y;
+          if (x < 0 || y < 0 || x >= p.width || y >= p.height) continue;
+          estimate(other, 2, sampler);
+          expect_inside(p, 2, sampler);
+        }
+      },
+      20);
   // There are so many points that a pixel two thousandths too wide is seen.
   for_all([] { expect_inside(*whole_picture(), 4000, pt::Sampler(draw("seed", sampler_seed()))); },
           1);

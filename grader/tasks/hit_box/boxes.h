@@ -14,12 +14,12 @@
 namespace grader::check::hit_box_inputs {
 
 // The quantity that may be extreme.
-enum class Extreme { none, scale, length, distance };
+enum class Extreme { none, scale, length, distance, all };
 
 // A box of any proportions, with the world's origin inside or outside. If the scale is extreme, it
 // may also be tiny, huge or far away.
 inline pt::Box some_box(Extreme extreme = Extreme::none) {
-  const bool any = extreme == Extreme::scale;
+  const bool any = extreme == Extreme::scale || extreme == Extreme::all;
   const double scale = any ? *magnitude(1e-9, 1e9) : *magnitude(0.1, 10);
   const double away = any && *whole(0, 3) == 3 ? 1e4 : 1;
   const pt::Vec3 center = scale * away * *point(3);
@@ -67,8 +67,8 @@ inline double zero() { return *almost_zero(); }
 inline double sign() { return *rc::gen::element(1.0, -1.0); }
 
 inline double some_length(Extreme extreme = Extreme::none) {
-  if (extreme == Extreme::length && *whole(0, 1) == 1) return *rc::gen::element(1e-9, 1e9);
-  return extreme == Extreme::length ? *magnitude(1e-9, 1e9) : *magnitude(1e-3, 1e3);
+  if (extreme != Extreme::length && extreme != Extreme::all) return *magnitude(1e-3, 1e3);
+  return *whole(0, 1) == 1 ? *rc::gen::element(1e-9, 1e9) : *magnitude(1e-9, 1e9);
 }
 
 // Two of three directions have a special component. It is small, so that the ray is nearly parallel

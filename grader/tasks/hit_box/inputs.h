@@ -21,7 +21,7 @@ inline void showValue(const Case& c, std::ostream& out) { show_lines(out, c.box,
 // The distance from a ray's origin to its target, in sizes of the box. Half of the extreme ones are
 // so large that the squares of distances, in double, say nothing about the box.
 inline double some_distance(Extreme extreme = Extreme::none) {
-  if (extreme != Extreme::distance) return *magnitude(1e-2, 100);
+  if (extreme != Extreme::distance && extreme != Extreme::all) return *magnitude(1e-2, 100);
   return *rc::gen::oneOf(magnitude(100, 1e7), magnitude(1e7, 1e9));
 }
 
@@ -56,8 +56,8 @@ inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
     const int i = *whole(0, 2), j = (i + *whole(1, 2)) % 3, k = 3 - i - j;
     const double out_i = sign(), out_j = sign();
     const double angle = *real(0.02, pt::kPi / 2 - 0.02);
-    const double before =
-        extreme == Extreme::distance ? some_distance(extreme) : *magnitude(1e-2, 30);
+    const bool far = extreme == Extreme::distance || extreme == Extreme::all;
+    const double before = far ? some_distance(extreme) : *magnitude(1e-2, 30);
     const double size = length(box.extent());
     const double least = 1e-10 * (max_abs(box.center()) + before * size);
     const double gap = std::max(*magnitude(1e-6, 3) * size, least);
@@ -200,6 +200,16 @@ inline Case changed(Case c) {
   const auto inside = static_cast<double>(std::max(part.leave.low, 0.0L));
   make_one_of(joined({changes_of(c.box.min, -size), changes_of(c.box.max, size),
                       changes_of(c.ray, size, inside)}));
+  return c;
+}
+
+// The same with two numbers of the box, or of the ray, exchanged, or with other numbers of the same sum.
+inline Case exchanged(Case c) {
+  if (*whole(0, 1) == 0) {
+    exchange_or_add_in(c.box);
+  } else {
+    exchange_or_add_in(c.ray);
+  }
   return c;
 }
 

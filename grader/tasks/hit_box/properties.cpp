@@ -114,6 +114,7 @@ PROMISE(hit_box, gives_the_right_interval) {
       300);
   for_all([] { expect_without_rounding(*through_the_middle(*rc::gen::element(1.0, 8.0))); });
   for_all([] { expect_hit_and_interval(after_another(*in_turn(aimed_inside(), changed))); });
+  for_all([] { expect_hit_and_interval(after_another(*in_turn(aimed_inside(), exchanged))); });
 }
 
 PROMISE(hit_box, begins_at_t_min_inside_the_box) {
@@ -201,6 +202,9 @@ PROMISE(hit_box, works_at_every_scale) {
   for_all([] { expect_miss(*leaving(Extreme::scale)); });
   for_all([] { expect_hit_and_interval(*aimed_inside(Extreme::distance)); }, 150);
   for_all([] { expect_miss(*passing(Extreme::distance)); });
+  // All of it together: t is up to 1e28.
+  for_all([] { expect_hit_and_interval(*aimed_inside(Extreme::all)); }, 150);
+  for_all([] { expect_miss(*passing(Extreme::all)); });
 }
 
 PROMISE(hit_box, takes_flat_boxes) {

@@ -295,9 +295,13 @@ inline void shrink(pt::Primitives& primitives, int primitive) {
   made.p2 = made.p0 + kSmaller * (made.p2 - made.p0);
 }
 
-// The same with one number of the ray changed, or with the nearest primitive smaller. The tree stays
-// the same.
+// The same with one number of the ray changed, with two of them exchanged or others of the same sum, or
+// with the nearest primitive smaller. The tree stays the same.
 inline Case changed(Case c) {
+  if (*whole(0, 2) == 0) {
+    exchange_or_add_in(c.ray);
+    return c;
+  }
   const Truth truth = truth_of(c);
   const double t = truth.any() ? truth.t() : 1;
   if (truth.any() && *whole(0, 3) == 0) {

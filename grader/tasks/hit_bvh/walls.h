@@ -2,6 +2,7 @@
 
 #include "grader/tasks/hit_bvh/trees.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -39,11 +40,12 @@ inline Case walls_in_a_row(int walls, bool spheres = false) {
 inline Case wide_leaf(int walls, int place) {
   RandomNumbers make(1);
   Case c;
+  const double size = std::max(99.0, 0.1 * walls);  // the ray would meet all of them
   for (int i = 0; i < walls; ++i) {
     const double z = (place - i + walls) % walls + 1;
-    c.primitives.triangles.push_back(wall_at({0, 0, z}, 0, 0, 99));
+    c.primitives.triangles.push_back(wall_at({0, 0, z}, 0, 0, size));
   }
-  c.primitives.triangles.push_back(wall_at({0, 0, walls + 9.0}, 0, 0, 99));
+  c.primitives.triangles.push_back(wall_at({0, 0, walls + 9.0}, 0, 0, size));
   c.ray = kThroughWalls;
   c.ray.t_max = 6.5;
   c.bvh = tree_in_order(c.primitives, Shape::left_chain, make, walls);

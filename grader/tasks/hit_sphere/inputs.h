@@ -169,6 +169,16 @@ inline Chord changed(Chord chord) {
   return chord;
 }
 
+// The same with two numbers of the centre, or of the ray, exchanged, or with others of the same sum.
+inline Chord exchanged(Chord chord) {
+  if (*whole(0, 1) == 0) {
+    exchange_or_add_in({&chord.sphere.center});
+  } else {
+    exchange_or_add_in(chord.ray);
+  }
+  return chord;
+}
+
 // A line of a fixed stream of random numbers. It passes the centre at `offset` radii, which may be
 // more than 1, and the ray starts `before` radii in front of the centre.
 inline Chord some_line(RandomNumbers& make, double radius, double offset, double before,

@@ -42,13 +42,15 @@ PROMISE(hit_sphere, hits_where_it_is_aimed) {
   }
   for_all([] { expect_either_point(*exactly(3)); }, 60);
   // The sphere and the ray of another call are forgotten.
-  for_all(
-      [] {
-        const auto [before, now] = *in_turn(chord(From::outside), changed);
-        pt::hit_sphere(before.sphere, before.ray);
-        expect_either_point(now);
-      },
-      200);
+  for (const auto& other : {&changed, &exchanged}) {
+    for_all(
+        [=] {
+          const auto [before, now] = *in_turn(chord(From::outside), other);
+          pt::hit_sphere(before.sphere, before.ray);
+          expect_either_point(now);
+        },
+        200);
+  }
   for_all([] {
     const Chord c = *touching();
     const auto hit = pt::hit_sphere(c.sphere, c.ray);

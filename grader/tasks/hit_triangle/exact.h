@@ -78,4 +78,20 @@ inline Aimed changed(Aimed aimed) {
   return aimed;
 }
 
+// The same with two numbers exchanged, or with other corners or another ray, whose numbers have the same sum.
+inline Aimed exchanged(Aimed aimed) {
+  auto& [p0, p1, p2, n0, n1, n2] = aimed.triangle;
+  switch (*whole(0, 2)) {
+    case 0:
+      exchange_or_add_in({&p0, &p1, &p2});
+      break;
+    case 1:
+      exchange_in({&n0, &n1, &n2});
+      break;
+    default:
+      exchange_or_add_in(aimed.ray);
+  }
+  return aimed;
+}
+
 }  // namespace grader::check::hit_triangle_inputs

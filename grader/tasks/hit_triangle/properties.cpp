@@ -78,13 +78,15 @@ PROMISE(hit_triangle, hits_where_it_is_aimed) {
   for_all([] { expect_t(*aimed_inside(kVeryClose)); }, 40);
   for_all([] { expect_t(*exactly(inside_in_eighths)); });
   // The triangle and the ray of another call are forgotten.
-  for_all(
-      [] {
-        const auto [before, now] = *in_turn(aimed_inside(), changed);
-        pt::hit_triangle(before.triangle, before.ray);
-        expect_t(now);
-      },
-      60);
+  for (const auto& other : {&changed, &exchanged}) {
+    for_all(
+        [=] {
+          const auto [before, now] = *in_turn(aimed_inside(), other);
+          pt::hit_triangle(before.triangle, before.ray);
+          expect_t(now);
+        },
+        60);
+  }
 }
 
 PROMISE(hit_triangle, misses_outside) {
@@ -156,13 +158,15 @@ PROMISE(hit_triangle, interpolates_the_corner_normals) {
     if (const auto hit = hit_from_either_side(aimed)) expect_direction_of_n(aimed, *hit);
   });
   // Another call is forgotten, also if only its normals were different.
-  for_all(
-      [] {
-        const auto [before, now] = *in_turn(aimed_inside(), changed);
-        pt::hit_triangle(before.triangle, before.ray);
-        if (const auto hit = hit_from_either_side(now)) expect_direction_of_n(now, *hit);
-      },
-      60);
+  for (const auto& other : {&changed, &exchanged}) {
+    for_all(
+        [=] {
+          const auto [before, now] = *in_turn(aimed_inside(), other);
+          pt::hit_triangle(before.triangle, before.ray);
+          if (const auto hit = hit_from_either_side(now)) expect_direction_of_n(now, *hit);
+        },
+        60);
+  }
   // Normals that disagree, and points so close to an edge that one weight is almost zero. Other
   // promises judge whether there is a hit.
   for_all([] {
@@ -274,6 +278,10 @@ PROMISE(hit_triangle, works_at_every_scale) {
   // the world's origin.
   for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e6, .far = 1e6})); });
   for_all([] { expect_t_from_either_side(*aimed_inside({.size = 1e2, .away = 1e4})); });
+  // From a million sizes away, also with a direction of a billionth: t is up to 1e22.
+  for_all([] {
+    expect_t_from_either_side(*mapped(aimed_inside({.near = 1e5, .far = 1e6}), at_any_size));
+  });
   // Needles, and rays that are almost parallel to the plane, at either end of the scale, with
   // directions at either end of theirs. A face that is hit at an ordinary size is hit at any size.
   for (const Range& range : {kNeedle, kFlattest}) {

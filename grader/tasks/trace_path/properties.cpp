@@ -1,4 +1,5 @@
 #include "grader/check/generators/random_numbers.h"
+#include "grader/check/language/in_a_row.h"
 #include "grader/tasks/trace_path/estimates.h"
 #include "grader/tasks/trace_path/inputs.h"
 #include "grader/tasks/trace_path/wild.h"
@@ -360,6 +361,18 @@ PROMISE(trace_path, draws_from_the_sampler_alone) {
   };
   for_all([=] { expect_independent(round_room(gray(0.5, 0.8))); }, 3);
   for_all([=] { expect_independent(glowing_room(gray(0.5, 0.8))); }, 3);
+  // All paths of these scenes leave them.
+  for (const auto& open :
+       {sunny_wall(gray(0.2, 1)), wall_under_the_sky(color(0.1, 1), either_way())}) {
+    for_all(
+        [&] {
+          const Case c = *asked_of(open, bounces_from(2, 2, 5));
+          expect_moves_on(c.seed, [&](pt::Sampler& sampler) {
+            return pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
+          });
+        },
+        10);
+  }
   expect_explained(wild_task());
 }
 
