@@ -296,18 +296,20 @@ struct Rows {
   pt::Vec3 corner{};
   double jitter = 1e-2;  // in lengths of a row, on the axis after that of a row
   int flat = -1;         // the axis on which all boxes are flat and in one plane, or -1
+  bool sticks = false;   // longer than the row, along the third axis
 };
 
 // The boxes are in random order. They are also moved a little on both axes across a row, ten
 // thousand times as far on one axis as on the other. This is less than their own size, so that a
 // split on these axes separates nothing.
 inline Boxes boxes_in(const Rows& rows, RandomNumbers& make) {
-  const auto& [along, across, count, each, length, corner, jitter, flat] = rows;
+  const auto& [along, across, count, each, length, corner, jitter, flat, sticks] = rows;
   pt::Vec3 moved, half{0.01 * length, 0.01 * length, 0.01 * length};
   moved[(along + 1) % 3] = jitter * length;
   moved[(along + 2) % 3] = 1e-8 * length * length / moved[(along + 1) % 3];
   half[along] = 0.4 * length / each;
   if (flat >= 0) moved[flat] = half[flat] = 0;
+  if (sticks) half[3 - along - across] = 0.75 * length;
   Boxes boxes;
   for (int row = 0; row < count; ++row) {
     for (int i = 0; i < each; ++i) {
@@ -325,7 +327,8 @@ inline Boxes boxes_in(const Rows& rows, RandomNumbers& make) {
 inline std::string words(const Rows& rows) {
   const std::string axes = "xyz";
   const std::string flat = rows.flat < 0 ? "" : std::string(", all flat in ") + axes[rows.flat];
-  const std::string row = show(rows.length) + " long along " + axes[rows.along] + flat;
+  const std::string shape = rows.sticks ? ", of boxes that are longer than the row" : flat;
+  const std::string row = show(rows.length) + " long along " + axes[rows.along] + shape;
   return rows.count == 1 ? "in one row, in no order, " + row
                          : "in " + std::to_string(rows.count) + " rows, in no order, each " + row +
                                ", side by side along " + axes[rows.across];
@@ -345,7 +348,9 @@ inline rc::Gen<InRows> in_rows(int along, int count, int each) {
     rows.length = *magnitude(1e-9, 1e9);
     rows.corner = rows.length * *point(5);
     rows.jitter = *rc::gen::element(1e-6, 1e-2);
-    if (const int axis = *whole(0, 2); axis > 0) rows.flat = (along + axis) % 3;
+    const int kind = *whole(0, 3);
+    if (kind == 1 || kind == 2) rows.flat = (along + kind) % 3;
+    rows.sticks = kind == 3;
     RandomNumbers make(*sampler_seed());
     return InRows{rows, {boxes_in(rows, make), max_leaf, words(rows)}};
   });
