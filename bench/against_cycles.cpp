@@ -2,6 +2,7 @@
 
 #include "bench/report.h"
 #include "pt/image/compare.h"
+#include "pt/math/uncertain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +65,8 @@ double squared_error(const std::vector<double>& picture, const LongRender& golde
 }
 
 // The square root of the mean of `squares`. It is unknown if the mean is not positive.
-Mean root_of(const std::vector<double>& squares) {
-  const Mean square = mean_of(squares);
+Uncertain root_of(const std::vector<double>& squares) {
+  const Uncertain square = mean_of(squares);
   if (!(square.value > 0)) return {0, std::sqrt(square.error)};
   const double root = std::sqrt(square.value);
   return {root, 0.5 * square.error / root};
@@ -149,12 +150,12 @@ std::vector<std::vector<Repeats>> Renders::repeats(const std::vector<LongRender>
 
 // A render of s samples takes a + b s seconds. The line through the shortest and the longest render gives a.
 ErrorCurve curve_of(const std::vector<Repeats>& all, const std::vector<int>& samples) {
-  const double shortest = median(all.front().seconds), longest = median(all.back().seconds);
+  const double shortest = median_of(all.front().seconds), longest = median_of(all.back().seconds);
   const double slope = (longest - shortest) / (samples.back() - samples.front());
   ErrorCurve curve;
   curve.fixed_seconds = std::max(shortest - slope * samples.front(), 0.0);
   for (std::size_t k = 1; k < samples.size(); ++k) {
-    ErrorAfter point{samples[k], median(all[k].seconds) - curve.fixed_seconds, {}};
+    ErrorAfter point{samples[k], median_of(all[k].seconds) - curve.fixed_seconds, {}};
     for (const std::vector<double>& squares : all[k].squares) {
       point.errors.push_back(root_of(squares));
     }
@@ -164,14 +165,6 @@ ErrorCurve curve_of(const std::vector<Repeats>& all, const std::vector<int>& sam
 }
 
 }  // namespace
-
-Mean mean_of(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0};
-}
 
 RendererComparison compare(const std::vector<Contender>& contenders,
                            const std::vector<int>& golden_of, const std::vector<Region>& regions,

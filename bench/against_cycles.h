@@ -2,6 +2,7 @@
 
 #include "bench/cycles.h"
 #include "bench/regions.h"
+#include "pt/math/uncertain.h"
 
 #include <cstdint>
 #include <functional>
@@ -27,26 +28,19 @@ struct Contender {
   std::function<TimedImage(int samples, std::uint32_t seed)> render;
 };
 
-// A mean over renders that differ in their seed, and its standard error.
-struct Mean {
-  double value = 0;
-  double error = 0;
-};
-Mean mean_of(const std::vector<double>& values);
-
 // A renderer's long render: the mean of many renders, the mean of each half of them, and each region's mean luminance.
 struct LongRender {
   Image picture;
   std::vector<double> halves[2];  // luminance, by pixel
-  std::vector<Mean> regions;
+  std::vector<Uncertain> regions;
 };
 
 // The error of a picture of `samples` samples: the root of relMSE, the mean over the pixels of (x -
 // g)^2 / (g + d)^2 in luminance (d: pt::dark_of), without the noise of g.
 struct ErrorAfter {
   int samples = 0;
-  double cpu_seconds = 0;    // the median of the repeats, without the fixed time
-  std::vector<Mean> errors;  // against each golden
+  double cpu_seconds = 0;         // the median of the repeats, without the fixed time
+  std::vector<Uncertain> errors;  // against each golden
 };
 
 struct ErrorCurve {

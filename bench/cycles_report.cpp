@@ -14,13 +14,13 @@ namespace {
 
 // Our mean luminance in one region, and theirs.
 struct Agreement {
-  Mean ours, theirs;
+  Uncertain ours, theirs;
   double relative = 0;        // theirs / ours - 1
   double relative_error = 0;  // its standard error
   double sigmas = 0;  // the difference in units of its standard error; 0 where both are exact
 };
 
-Agreement agreement(const Mean& ours, const Mean& theirs) {
+Agreement agreement(const Uncertain& ours, const Uncertain& theirs) {
   Agreement result{ours, theirs};
   const double error = std::hypot(ours.error, theirs.error);
   if (ours.value > 0) {
@@ -42,7 +42,7 @@ std::string region_table(const SceneReport& report) {
                                  "ours", "Cycles", "difference", "sigmas");
   for (std::size_t i = 0; i < report.regions.size(); ++i) {
     const Agreement a = agreement(report, i);
-    const auto mean = [](const Mean& m) {
+    const auto mean = [](const Uncertain& m) {
       return fmt::format("{:.6f} \u00b1 {:.6f}", m.value, m.error);
     };
     text += fmt::format(
@@ -59,7 +59,7 @@ std::string formula_table(const SceneReport& report) {
   std::string text = fmt::format("\n  {:<32}{:>12}{:>22}{:>8}{:>22}{:>8}\n", "region", "by formula",
                                  "ours", "sigmas", "Cycles", "sigmas");
   for (std::size_t i = 0; i < report.regions.size(); ++i) {
-    const Mean exact{(*report.by_formula)[i], 0};
+    const Uncertain exact{(*report.by_formula)[i], 0};
     text += fmt::format("  {:<32}{:>12.6f}", report.regions[i].name, exact.value);
     for (const LongRender& golden : report.comparison.goldens) {
       const Agreement a = agreement(exact, golden.regions[i]);
@@ -85,7 +85,7 @@ double cost(const ErrorCurve& curve) {
 std::string error_table(const SceneReport& report) {
   std::string text = fmt::format("  {:<28}{:>6}{:>10}{:>20}{:>22}\n", "renderer", "s", "seconds",
                                  "error", "by the other golden");
-  const auto percent = [](const Mean& m) {
+  const auto percent = [](const Uncertain& m) {
     return fmt::format("{:.2f} \u00b1 {:.2f} %", 100 * m.value, 100 * m.error);
   };
   for (std::size_t i = 0; i < report.titles.size(); ++i) {

@@ -2,6 +2,7 @@
 #include "bench/queries.h"
 #include "bench/report.h"
 #include "bench/test_scenes.h"
+#include "pt/math/uncertain.h"
 #include "pt/render/cpu_time.h"
 
 #include <array>
@@ -48,10 +49,10 @@ using Seconds = std::vector<double>;  // of each round
 Line line(const char* kind, std::size_t rays, const Seconds& ours,
           std::span<const Seconds> others) {
   const double scale = 1e9 / static_cast<double>(rays);
-  Line line{kind, scale * median(ours), {NAN, NAN, NAN}, {}};
+  Line line{kind, scale * median_of(ours), {NAN, NAN, NAN}, {}};
   for (Ratio& times : line.times) times = {NAN, NAN, NAN};
   for (std::size_t i = 0; i < others.size(); ++i) {
-    line.others[i] = scale * median(others[i]);
+    line.others[i] = scale * median_of(others[i]);
     line.times[i] = ratio(others[i], ours);
   }
   return line;

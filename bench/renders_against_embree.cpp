@@ -5,6 +5,7 @@
 #include "bench/render_tracing.h"
 #include "bench/report.h"
 #include "bench/test_scenes.h"
+#include "pt/math/uncertain.h"
 #include "pt/render/cpu_time.h"
 #include "pt/tasks/estimate_pixel.h"
 
@@ -72,13 +73,13 @@ void compare_threads(const std::string& name, const View& view, const BenchSetti
       cpu.push_back(one.cpu_seconds / more.cpu_seconds);
     }
     std::printf("  %d threads: efficiency %.2f by the wall clock, %.2f by CPU time\n", threads,
-                median(wall), median(cpu));
+                median_of(wall), median_of(cpu));
     char row[200];
     std::snprintf(row, sizeof row, "%s,%d threads: efficiency (wall; CPU),%.3f,%.3f,,,,,,",
-                  name.c_str(), threads, median(wall), median(cpu));
+                  name.c_str(), threads, median_of(wall), median_of(cpu));
     csv.row(row);
     goals.push_back(
-        {name + ", " + std::to_string(threads) + " threads: efficiency", 0.95, median(wall)});
+        {name + ", " + std::to_string(threads) + " threads: efficiency", 0.95, median_of(wall)});
   }
 }
 
@@ -126,7 +127,7 @@ void compare(const std::string& argument, const BenchSettings& settings, Csv& cs
   const char* names[] = {"wide", "wide groups", "Embree", "Embree packets"};
   std::printf("%s, %d x %d, %d samples\n", test.name.c_str(), width, height, settings.samples);
   for (int i = 0; i < 4; ++i) {
-    report(test.name, names[i], last[0].rays, median(seconds[i]), luminance(last[i].mean),
+    report(test.name, names[i], last[0].rays, median_of(seconds[i]), luminance(last[i].mean),
            ratio(seconds[2], seconds[i]), ratio(seconds[3], seconds[i]), csv);
   }
 

@@ -1,18 +1,13 @@
 #include "bench/report.h"
 
 #include "pt/error.h"
+#include "pt/math/uncertain.h"
 #include "pt/render/cpu_time.h"
 
 #include <algorithm>
 #include <cstdio>
 
 namespace pt {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<std::vector<double>> interleave(const std::vector<std::function<void()>>& contenders,
                                             int rounds) {
@@ -31,7 +26,7 @@ Ratio ratio(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  return {median(ratios), *least, *most};
+  return {median_of(ratios), *least, *most};
 }
 
 Csv::Csv(const std::string& file, const std::string& header)

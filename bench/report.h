@@ -7,8 +7,6 @@
 
 namespace pt {
 
-double median(std::vector<double> values);
-
 // Runs all contenders in turn, once to warm up and then `rounds` times. Returns the seconds of each
 // round: [contender][round]. Contenders run within moments of each other, so other load on the
 // machine affects all of them.

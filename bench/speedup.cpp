@@ -1,4 +1,5 @@
 #include "pt/error.h"
+#include "pt/math/uncertain.h"
 #include "pt/render/render_film.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
@@ -23,11 +24,6 @@ namespace {
 using pt::Engine;
 
 constexpr int kRuns = 5;
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + kRuns / 2, values.end());
-  return values[kRuns / 2];
-}
 
 pt::Scene blob_scene(int triangles) {
   pt::Scene scene;
@@ -68,7 +64,7 @@ Engines time_engines(int triangles) {
       (engine == Engine::linear ? linear : task).push_back(1e6 * result.cpu_seconds / rays);
     }
   }
-  return {median(linear), median(task)};
+  return {pt::median_of(linear), pt::median_of(task)};
 }
 
 void print_speedups() {
@@ -100,7 +96,7 @@ void print_whole_render(const std::filesystem::path& file) {
   fmt::print(
       "{}, 480 x 360, -s 16 -l 8 -m 6, engine task: {:.2f} million rays per CPU second "
       "({:.2f} to {:.2f} in {} runs)\n",
-      file.filename().string(), median(rates), *std::min_element(rates.begin(), rates.end()),
+      file.filename().string(), pt::median_of(rates), *std::min_element(rates.begin(), rates.end()),
       *std::max_element(rates.begin(), rates.end()), kRuns);
   std::fflush(stdout);
 }

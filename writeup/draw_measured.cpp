@@ -11,15 +11,12 @@
 namespace writeup {
 
 namespace fs = std::filesystem;
+using measure::percent;
 using nlohmann::json;
 
 namespace {
 
 constexpr double kUnknown = 0.05;  // relative uncertainty of the error: more is marked
-
-std::string percent(double part) {
-  return part < 1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
-}
 
 std::string times(const json& number) {
   if (number.is_null()) return kDash;

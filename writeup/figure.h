@@ -1,5 +1,6 @@
 #pragma once
 
+#include "measure/charts/numbers.h"
 #include "writeup/markdown.h"
 #include "writeup/plan.h"
 
@@ -39,8 +40,7 @@ struct Drawn {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Drawn, pictures, columns, rows, charts, tables, problems,
                                    numbers, seconds)
 
-// Three digits: "0.0123", "12345".
-std::string digits(double value);
+using measure::digits;
 
 // A factor and its standard error: "1.30 ± 0.02×"; without the error if it is 0.
 std::string factor_text(double value, double error);

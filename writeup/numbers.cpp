@@ -7,10 +7,6 @@
 
 namespace writeup {
 
-std::string digits(double value) {
-  return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
-}
-
 std::string factor_text(double value, double error) {
   if (error == 0) return digits(value) + "\u00d7";
   const int places = std::clamp(static_cast<int>(std::ceil(-std::log10(error))), 0, 4);

@@ -1,6 +1,7 @@
 #include "grader/mistakes/battery.h"
 
 #include "grader/check/language/fail.h"
+#include "pt/math/uncertain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +17,6 @@ constexpr int kMaxTimeouts = 1;
 // crash in all of them.
 constexpr std::size_t kMaxCrashesFromTheFirst = 20;
 
-double mean_of(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
 double central_moment(const std::vector<double>& values, double mean, int power) {
   double sum = 0;
   for (const double value : values) sum += std::pow(value - mean, power);
@@ -32,7 +27,7 @@ double central_moment(const std::vector<double>& values, double mean, int power)
 bool is_rounding_error(double variance, double mean) { return !(variance > 1e-24 * mean * mean); }
 
 void add_mean(Answer& answer, const std::vector<double>& values) {
-  const double mean = mean_of(values), variance = central_moment(values, mean, 2);
+  const double mean = pt::mean_of(values).value, variance = central_moment(values, mean, 2);
   answer.values.push_back(mean);
   answer.errors.push_back(is_rounding_error(variance, mean)
                               ? 0
@@ -41,7 +36,7 @@ void add_mean(Answer& answer, const std::vector<double>& values) {
 
 // Adds the standard deviation over the mean, and its error from the fourth moment.
 void add_spread(Answer& answer, const std::vector<double>& values) {
-  const double mean = mean_of(values), variance = central_moment(values, mean, 2);
+  const double mean = pt::mean_of(values).value, variance = central_moment(values, mean, 2);
   if (is_rounding_error(variance, mean) || !(std::abs(mean) > 0)) {
     answer.values.push_back(0);
     answer.errors.push_back(0);
@@ -58,7 +53,7 @@ void add_spread(Answer& answer, const std::vector<double>& values) {
 // Adds the share of the flags that are 1, and its error. The error is not zero, even if all flags
 // are equal.
 void add_share(Answer& answer, const std::vector<double>& flags) {
-  const double n = static_cast<double>(flags.size()), share = mean_of(flags);
+  const double n = static_cast<double>(flags.size()), share = pt::mean_of(flags).value;
   answer.values.push_back(share);
   answer.errors.push_back(std::sqrt((share * (1 - share) + 1 / n) / n));
 }

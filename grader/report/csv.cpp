@@ -9,10 +9,9 @@ namespace grader::report {
 
 namespace {
 
-// A formula starts with a sign, plain or in full width, after characters that are skipped.
+// A formula starts with a sign, plain or in full width, perhaps after blanks.
 bool starts_formula(const std::string& text) {
-  for (const char* sign :
-       {"=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20"}) {
+  for (const char* sign : {"=", "+", "-", "@", " ", "\uff1d", "\uff0b", "\uff0d", "\uff20"}) {
     if (text.starts_with(sign)) return true;
   }
   return false;
@@ -21,9 +20,10 @@ bool starts_formula(const std::string& text) {
 }  // namespace
 
 std::string csv_field(const std::string& text) {
-  std::string escaped = starts_formula(text) ? "'" : "";
-  for (const char c : text) escaped += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return escaped.find_first_of(",;\"\r\n") == std::string::npos ? escaped : '"' + escaped + '"';
+  const std::string line = results::one_line(text);
+  std::string escaped = starts_formula(line) ? "'" : "";
+  for (const char c : line) escaped += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return escaped.find_first_of(",;\"") == std::string::npos ? escaped : '"' + escaped + '"';
 }
 
 std::string to_csv(const results::Results& raw) {

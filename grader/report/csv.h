@@ -14,7 +14,7 @@ inline constexpr const char* kByteOrderMark = "\xef\xbb\xbf";
 // run. A text that a spreadsheet would take for a formula has an apostrophe before it.
 std::string to_csv(const results::Results& results);
 
-// A text as a field of such a table.
+// A text as a field of such a table, in one line.
 std::string csv_field(const std::string& text);
 
 }  // namespace grader::report

@@ -1,3 +1,5 @@
+#include "grader/report/csv.h"
+
 #include "measure/calls/print.h"
 
 #include <fmt/format.h>
@@ -10,18 +12,13 @@ std::string columns(const Ranged& number) {
   return fmt::format("{:.6g},{:.6g},{:.6g}", number.value, number.low, number.high);
 }
 
-std::string quoted(std::string text) {
-  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) {
-    text.insert(at, 1, '"');
-  }
-  return '"' + text + '"';
-}
+using grader::report::csv_field;
 
 // Numbers that do not exist for the task stay empty.
 std::string line(const About& about, const Table& table, const Row& row, bool best) {
-  std::string text =
-      fmt::format("{},{},{},{},", about.slug, quoted(table.name), quoted(row.name), best ? 1 : 0);
-  if (!row.problem.empty()) return text + std::string(23, ',') + quoted(row.problem) + '\n';
+  std::string text = fmt::format("{},{},{},{},", about.slug, csv_field(table.name),
+                                 csv_field(row.name), best ? 1 : 0);
+  if (!row.problem.empty()) return text + std::string(23, ',') + csv_field(row.problem) + '\n';
   text += fmt::format("{},{},{},", columns(row.nanoseconds), columns(row.ratio), row.batches);
   for (int i = 0; i < kMaxErrors; ++i) {
     const bool named = i < static_cast<int>(about.errors.size());
@@ -35,7 +32,7 @@ std::string line(const About& about, const Table& table, const Row& row, bool be
   text += known(noisy, row.found.rays) + ',' + known(tree, row.found.boxes) + ',' +
           known(tree, row.found.primitives) + ',' +
           known(about.chooses_samples, row.found.samples) + ',';
-  return text + quoted(mistake(about, row)) + '\n';
+  return text + csv_field(mistake(about, row)) + '\n';
 }
 
 }  // namespace

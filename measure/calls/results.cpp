@@ -1,5 +1,7 @@
 #include "measure/calls/results.h"
 
+#include "pt/math/uncertain.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -109,13 +111,9 @@ Ranged median_of(std::vector<double> values) {
 }
 
 Ranged mean_of(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  const double mean = sum / n;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  const double half = kDeviations * std::sqrt(squares / (n - 1) / n);
-  return {mean, mean - half, mean + half};
+  const pt::Uncertain mean = pt::mean_of(values);
+  const double half = kDeviations * mean.error;
+  return {mean.value, mean.value - half, mean.value + half};
 }
 
 Ranged product(const Ranged& a, const Ranged& b) {

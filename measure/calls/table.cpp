@@ -1,4 +1,5 @@
 #include "measure/calls/print.h"
+#include "measure/charts/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ Cells numbers(const About& about, const Row& row, const Row& reference, const Un
               bool has_rays) {
   Cells cells{ranged(row.nanoseconds, unit.nanoseconds), ranged(row.ratio)};
   if (about.kind == Kind::estimator) {
-    cells.push_back(fmt::format("{:.3g} %", 100 * accuracy(about, row).value));
+    cells.push_back(percent(accuracy(about, row).value));
     cells.push_back(ranged(work(row, reference)));
     if (has_rays) cells.push_back(fmt::format("{:.3g}", row.found.rays));
     if (about.chooses_samples) cells.push_back(fmt::format("{:.4g}", row.found.samples));

@@ -1,4 +1,5 @@
 #include "measure/charts/gnuplot.h"
+#include "measure/charts/numbers.h"
 #include "measure/scene/converge.h"
 #include "measure/scene/print.h"
 #include "pt/file.h"

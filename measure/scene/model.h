@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pt/math/uncertain.h"
+
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,11 +12,8 @@
 
 namespace measure::scene {
 
-// A measured number and its standard error.
-struct Uncertain {
-  double value = 0;
-  double error = 0;
-};
+using pt::mean_of;
+using pt::Uncertain;
 
 // Short renders with one way: their cost and their noise.
 struct Tried {

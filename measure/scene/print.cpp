@@ -1,5 +1,7 @@
 #include "measure/scene/print.h"
 
+#include "measure/charts/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -186,8 +188,6 @@ std::string rest_text(const Answer& answer, const pt::Scene& scene) {
 }
 
 }  // namespace
-
-std::string percent(double part) { return fmt::format("{:.3g} %", 100 * part); }
 
 std::string to_text(const Answer& answer, const Options& options, const pt::Scene& scene) {
   return fmt::format("The cheapest settings for an error of {}, {} x {} pixels:\n{}\n{}{}{}{}{}",

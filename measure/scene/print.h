@@ -10,9 +10,6 @@
 
 namespace measure::scene {
 
-// "12.3 %".
-std::string percent(double part);
-
 // The answer in sentences and small tables, for a terminal.
 std::string to_text(const Answer& answer, const Options& options, const pt::Scene& scene);
 

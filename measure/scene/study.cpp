@@ -72,14 +72,6 @@ std::vector<std::vector<double>> missing(const MeasuredApart& apart) {
 
 }  // namespace
 
-Uncertain mean_of(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
-  return {sum / n, std::sqrt(squares / std::max(1.0, n - 1) / n)};
-}
-
 std::optional<double> seen_bias(const Uncertain& bias2) {
   if (!(bias2.value > kSignificant * bias2.error)) return {};
   return std::sqrt(bias2.value);

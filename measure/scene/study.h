@@ -30,9 +30,6 @@ struct Way {
 
 pt::PathSettings path_of(const Way& way, int light_samples);
 
-// The mean of some numbers, with the standard error from their spread.
-Uncertain mean_of(const std::vector<double>& values);
-
 // Some pixels of a picture, made with the chosen numbers.
 struct Checked {
   Uncertain error;     // root of relMSE

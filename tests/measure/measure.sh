@@ -52,19 +52,19 @@ expect 1 'there is no 2_bvh/hit_box.cpp' "$program" hit_box.some_ulps_wider --su
 expect 0 'hit_bvh' "$program" hit_triangle.watertight hit_box.inverse_direction hit_bvh.recursive_unordered direct_lights.stratified \
   trace_path.recursion adaptive_pixel.divides_by_n --seconds 6 --out "$folder/right"
 right=$folder/right/measure.csv
-[ "$(grep -c ',""$' "$right")" -eq 18 ] || complain "right solutions are wrong, or rows are missing: $(cat "$right")"
+[ "$(grep -c ',$' "$right")" -eq 18 ] || complain "right solutions are wrong, or rows are missing: $(cat "$right")"
 number "$right" error_1 '^hit_(triangle|box)' 1e-17 1e-9
 number "$right" error_2 '^hit_triangle' 1e-17 1e-6
 number "$right" error_1 'watertight' 1e-17 1e-11
 # There are 2302 triangles; without an order of children, more are tested.
-number "$right" boxes '^hit_bvh,"nearest hit","reference' 10 19
-number "$right" boxes '^hit_bvh,"nearest hit","recursive_unordered' 19 28
+number "$right" boxes '^hit_bvh,nearest hit,reference' 10 19
+number "$right" boxes '^hit_bvh,nearest hit,recursive_unordered' 19 28
 number "$right" primitives '^hit_bvh' 1 6
 # Two lights, with one shadow ray per sample of each.
-number "$right" rays '^direct_lights,"1 sample"' 2 2
-number "$right" rays '^direct_lights,"16 samples"' 32 32
+number "$right" rays '^direct_lights,1 sample,' 2 2
+number "$right" rays '^direct_lights,16 samples,' 32 32
 # 1.96 / .05 times the deviation over the mean, squared: 1 / .487 of .9 and sqrt(.43 .57), give 1286 samples.
-number "$right" samples '^adaptive_pixel,"an edge",' 1260 1310
+number "$right" samples '^adaptive_pixel,an edge,' 1260 1310
 
 # Double precision rounds at 1e-16, single precision at 6e-8; hard inputs may enlarge each error.
 number "$folder/hit_sphere/measure.csv" error_1 reference 1e-17 1e-9
@@ -75,10 +75,10 @@ number "$folder/camera_ray/measure.csv" error_1 single_precision 3e-8 1e-5
 # Cosine-weighted directions see the sky of the patches, .5 + .4 x + z^2, with the variance .16 / 4 + 1 / 12 = .123.
 number "$folder/bsdf/measure.csv" variance reference .1134 .1332
 # .43 of the pixel is 1, the rest .1, the mean .487: of 16 samples, .9^2 .43 .57 / 16 / .487^2 = .0523.
-number "$folder/pixel/measure.csv" variance '"an edge","reference' .0481 .0565
-number "$folder/pixel/measure.csv" mean '"an edge","running_mean' .99 1.01
-number "$folder/pixel/measure.csv" mean '"an edge","somebody' .49 .51
-grep -q '"somebody",0,' "$folder/pixel/measure.csv" || complain 'what is wrong is on the front'
+number "$folder/pixel/measure.csv" variance 'an edge,reference' .0481 .0565
+number "$folder/pixel/measure.csv" mean 'an edge,running_mean' .99 1.01
+number "$folder/pixel/measure.csv" mean 'an edge,somebody' .49 .51
+grep -q ',somebody,0,' "$folder/pixel/measure.csv" || complain 'what is wrong is on the front'
 ! command -v gnuplot >/dev/null || [ -s "$folder/hit_sphere/hit_sphere.svg" ] || complain 'there is no chart'
 
 finish

@@ -4,6 +4,7 @@
 #include "grader/pictures/goldens/provenance.h"
 #include "pt/image/image_io.h"
 #include "pt/image/tone_map.h"
+#include "pt/math/uncertain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +38,8 @@ Noise noise_of(const pt::Film& film) {
     }
   }
   if (relative.empty()) return {};
-  const auto middle = relative.begin() + static_cast<std::ptrdiff_t>(relative.size() / 2);
-  std::nth_element(relative.begin(), middle, relative.end());
-  return {*middle, std::sqrt(variance / static_cast<double>(film.pixels.size())) *
-                       static_cast<double>(film.pixels.size()) / radiance};
+  return {pt::median_of(relative), std::sqrt(variance / static_cast<double>(film.pixels.size())) *
+                                       static_cast<double>(film.pixels.size()) / radiance};
 }
 
 void place(pt::Picture& onto, const pt::Picture& picture, int left, int top) {

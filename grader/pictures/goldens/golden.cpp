@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 #include "pt/image/image_io.h"
+#include "pt/math/uncertain.h"
 
 #include <algorithm>
 #include <cassert>
@@ -18,13 +19,6 @@ constexpr double kConstantDeviation = 1e-4;
 constexpr double kBlackChannel = 1e-3;
 
 constexpr int kReach = 2;  // pixels, to each side
-
-double median(Plane values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 bool is_constant(const Golden& golden, std::size_t i) {
   for (int plane = 0; plane < kPlanes; ++plane) {
@@ -59,7 +53,7 @@ void choose_weights(Golden& golden) {
   for (std::size_t i = 0; i < count; ++i) {
     if (!golden.constant[i]) variances.push_back(golden.variance[kLuminance][i]);
   }
-  const double softening = 0.05 * median(variances);
+  const double softening = variances.empty() ? 0 : 0.05 * pt::median_of(variances);
   golden.plain.assign(count, 0);
   golden.weighted.assign(count, 0);
   for (int y = 0; y < golden.height; ++y) {

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::seconds kBetweenTables{2};
 constexpr const char* kLikeness = "/likeness";
 
-std::string field(const std::string& text) { return report::csv_field(results::one_line(text)); }
+using report::csv_field;
 
 // The parts, such as "1_rays", in the order of the course.
 std::vector<std::string> parts_of(const build::Config& config) {
@@ -70,7 +70,7 @@ std::string line(const build::Config& config, const Graded& graded, bool anonymo
   const results::Results& results = graded.results;
   const results::Totals sums = results::totals(results.tasks);
   std::string text =
-      fmt::format("{},{},{}", field(graded.by.name), anonymous ? "" : field(graded.by.id),
+      fmt::format("{},{},{}", csv_field(graded.by.name), anonymous ? "" : csv_field(graded.by.id),
                   graded.by.late ? "late" : "");
   text += judged ? fmt::format(",{},{},{},{}", sums.passed, sums.points, sums.max_points,
                                sums.bonus_points)
@@ -83,7 +83,7 @@ std::string line(const build::Config& config, const Graded& graded, bool anonymo
     text += fmt::format(",{},{}", found.empty() ? "" : results::words(found[0].state),
                         points_of(found));
   }
-  return text + "," + field(graded.problem) + "," + field(note) + "\r\n";
+  return text + "," + csv_field(graded.problem) + "," + csv_field(note) + "\r\n";
 }
 
 // "handed_in" for handed_in.tar.gz. A folder's name may contain points.
@@ -179,7 +179,8 @@ std::vector<std::string> Collector::write() {
     std::string names = std::string(report::kByteOrderMark) + "submission,name,id\r\n";
     for (std::size_t i = 0; i < plan_.everybody.size(); ++i) {
       const intake::HandedIn& by = plan_.everybody[i];
-      names += fmt::format("{},{},{}\r\n", by.name, field(plan_.real_names[i]), field(by.id));
+      names +=
+          fmt::format("{},{},{}\r\n", by.name, csv_field(plan_.real_names[i]), csv_field(by.id));
     }
     written.push_back(out_ + "/names.csv");
     pt::write_file(written.back(), names);

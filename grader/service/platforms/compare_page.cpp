@@ -20,14 +20,13 @@ namespace {
 
 using kainjow::mustache::data;
 using Row = Comparison::Row;
+using report::csv_field;
 
 // "+3", "−1" with a true minus sign, "0".
 std::string signed_text(int points) {
   if (points == 0) return "0";
   return fmt::format("{}{}", points > 0 ? "+" : "\u2212", std::abs(points));
 }
-
-std::string field(const std::string& text) { return report::csv_field(results::one_line(text)); }
 
 // The number of submissions whose points changed because of one promise.
 struct Cause {
@@ -95,9 +94,9 @@ std::string comparison_csv(const Comparison& comparison) {
                      "promise_before,promise_after\r\n";
   for (const Row& row : comparison.rows) {
     for (const results::Change& change : row.changes) {
-      text += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", field(row.name), row.before,
-                          row.max_before, row.after, row.max_after, field(change.slug),
-                          field(change.what), change.before, change.after);
+      text += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", csv_field(row.name), row.before,
+                          row.max_before, row.after, row.max_after, csv_field(change.slug),
+                          csv_field(change.what), change.before, change.after);
     }
   }
   return text;

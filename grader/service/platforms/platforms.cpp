@@ -11,9 +11,7 @@ namespace grader::platforms {
 
 namespace {
 
-std::string text_field(const std::string& text) {
-  return report::csv_field(results::one_line(text));
-}
+using report::csv_field;
 
 std::string points_field(const GradeRow& row) {
   return row.judged ? std::to_string(row.points) : "";
@@ -24,12 +22,12 @@ std::string points_field(const GradeRow& row) {
 std::string canvas_csv(const std::vector<GradeRow>& rows, const std::string& assignment,
                        int max_points) {
   std::string text =
-      fmt::format("Student,ID,SIS User ID,SIS Login ID,Section,{}\r\n", text_field(assignment));
+      fmt::format("Student,ID,SIS User ID,SIS Login ID,Section,{}\r\n", csv_field(assignment));
   text += fmt::format("    Points Possible,,,,,{}\r\n", max_points);
   for (const GradeRow& row : rows) {
     if (row.id.empty()) continue;
     text +=
-        fmt::format("{},{},,,,{}\r\n", text_field(row.name), text_field(row.id), points_field(row));
+        fmt::format("{},{},,,,{}\r\n", csv_field(row.name), csv_field(row.id), points_field(row));
   }
   return text;
 }
@@ -41,9 +39,8 @@ std::string moodle_csv(const std::vector<GradeRow>& rows, int max_points) {
   for (GradeRow row : rows) {
     if (row.id.empty()) continue;
     row.points = std::min(row.points, max_points);
-    text +=
-        fmt::format("Participant {},{},,,{},{},Yes,-,-,{}\r\n", results::one_line(row.id),
-                    text_field(row.name), points_field(row), max_points, text_field(row.comment));
+    text += fmt::format("Participant {},{},,,{},{},Yes,-,-,{}\r\n", results::one_line(row.id),
+                        csv_field(row.name), points_field(row), max_points, csv_field(row.comment));
   }
   return text;
 }
@@ -51,8 +48,8 @@ std::string moodle_csv(const std::vector<GradeRow>& rows, int max_points) {
 std::string gradescope_csv(const std::vector<GradeRow>& rows, int max_points) {
   std::string text = std::string(report::kByteOrderMark) + "Name,ID,Points,Max Points,Comment\r\n";
   for (const GradeRow& row : rows) {
-    text += fmt::format("{},{},{},{},{}\r\n", text_field(row.name), text_field(row.id),
-                        points_field(row), max_points, text_field(row.comment));
+    text += fmt::format("{},{},{},{},{}\r\n", csv_field(row.name), csv_field(row.id),
+                        points_field(row), max_points, csv_field(row.comment));
   }
   return text;
 }

@@ -182,7 +182,7 @@ Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_p
       values[grade_] = std::to_string(std::min(learner.points, max_points));
     }
     if (comment_ != kNone && !learner.comment.empty())
-      values[comment_] = report::csv_field(results::one_line(learner.comment));
+      values[comment_] = report::csv_field(learner.comment);
     for (const auto& [column, value] : values) put(row.cells[column], value);
   }
   filled.text += text_.substr(copied);

@@ -4,6 +4,7 @@
 #include "grader/mistakes/battery.h"
 #include "grader/mistakes/known.h"
 #include "pt/error.h"
+#include "pt/math/uncertain.h"
 
 #include <cmath>
 #include <limits>
@@ -67,6 +68,30 @@ TEST(battery, is_not_asked_to_the_end_of_a_task_that_crashes_from_the_first_call
   EXPECT_EQ(calls_of_a_task_that_crashes_but_in(50), 20);
   EXPECT_EQ(calls_of_a_task_that_crashes_but_in(0), 100);
   EXPECT_EQ(calls_of_a_task_that_crashes_but_in(19), 100);
+}
+
+// The spread of each number over repeated questions is its error.
+TEST(battery, knows_the_errors_of_an_estimator) {
+  constexpr int kRepeats = 500, kDraws = 100;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform;
+  Battery battery({});
+  for (int i = 0; i < kRepeats; ++i) {
+    battery.estimate(kDraws, [&](int n, std::uint64_t) {
+      std::vector<pt::Rgb> draws(n);
+      for (pt::Rgb& each : draws) each = uniform(random) * pt::Rgb{1, 2, 4};
+      return draws;
+    });
+  }
+  for (std::size_t k = 0; k < 4; ++k) {  // three means, and their deviation over the mean
+    std::vector<double> values, errors;
+    for (const Answer& answer : battery.answers()) {
+      values.push_back(answer.values.at(k));
+      errors.push_back(answer.errors.at(k));
+    }
+    const double seen = std::sqrt(kRepeats) * pt::mean_of(values).error;
+    EXPECT_NEAR(pt::mean_of(errors).value / seen, 1, 0.2) << k;
+  }
 }
 
 // Means of a hundred answers with five numbers each.

@@ -62,8 +62,9 @@ TEST_F(Writers, csv_holds_no_formula) {
     results.submission = std::string(start) + "SUM(A1)";
     EXPECT_THAT(to_csv(results), HasSubstr("\r\n'" + results.submission + ",")) << start;
   }
-  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
-  EXPECT_EQ(csv_field("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csv_field("\t=1"), "' =1");
+  EXPECT_EQ(csv_field("\r=1"), "\uFFFD=1");
+  EXPECT_EQ(csv_field("a\n\"b\""), "\"a \"\"b\"\"\"");
   EXPECT_EQ(csv_field("a;b"), "\"a;b\"");
   EXPECT_EQ(csv_field("1-2"), "1-2");
 }
