@@ -3,15 +3,9 @@
 # does not compile gives a place of the curve or a sentence, and never ends the run.
 # stability.sh STABILITY: the program.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
 stability=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-
-complain() {
-  printf '%s\n' "$*"
-  exit 1
-}
 
 # shown STATUS WORDS...: sets $said to the output.
 shown() {
@@ -30,34 +24,34 @@ error() { awk -F, -v line="$2" -v place="$3" '$1 == line && $2 == place { print 
 # larger A B: A is larger than B.
 larger() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && b != "" && a + 0 > b + 0) }'; }
 
-mkdir -p "$work/mine/1_rays" "$work/right/1_rays"
-cp grader/tasks/hit_sphere/right/textbook.cpp "$work/mine/1_rays/hit_sphere.cpp"
-cp grader/tasks/hit_sphere/right/textbook.cpp "$work/right/1_rays/hit_sphere.cpp"
-shown 0 hit_sphere --submission "$work/mine" --out "$work/out"
-csv=$work/out/hit_sphere.far_away.csv
+mkdir -p "$folder/mine/1_rays" "$folder/right/1_rays"
+cp grader/tasks/hit_sphere/right/textbook.cpp "$folder/mine/1_rays/hit_sphere.cpp"
+cp grader/tasks/hit_sphere/right/textbook.cpp "$folder/right/1_rays/hit_sphere.cpp"
+shown 0 hit_sphere --submission "$folder/mine" --out "$folder/out"
+csv=$folder/out/hit_sphere.far_away.csv
 larger 1e-9 "$(error "$csv" yours 10)" || complain "a textbook's sphere is wrong at ten radii:" "$(cat "$csv")"
 larger 1e-3 "$(error "$csv" yours 1e+06)" || complain "a textbook's sphere is wrong at 1e6 radii:" "$(cat "$csv")"
 larger "$(error "$csv" yours 1e+07)" 1e-3 || complain "a textbook's sphere is right at 1e7 radii:" "$(cat "$csv")"
 larger 1e-6 "$(error "$csv" reference 1e+07)" || complain "the reference is wrong at 1e7 radii:" "$(cat "$csv")"
-! command -v gnuplot >/dev/null || [ -s "$work/out/hit_sphere.far_away.svg" ] || complain "there is no chart"
+! command -v gnuplot >/dev/null || [ -s "$folder/out/hit_sphere.far_away.svg" ] || complain "there is no chart"
 
 # Beyond a million radii, this code gives no answer, never ends, or returns no number.
 for how in '__builtin_trap();' 'for (volatile int i = 0;; i = 0) { }' \
   'return SurfaceHit{0.0 / (ray.origin.x - ray.origin.x), {0, 0, 1}};'; do
   sed "s|^  const Vec3 oc.*|&\n  if (length(oc) > 1e6 * sphere.radius) { $how }|; t; s|^  const Vec3 m = .*|&|" \
-    grader/tasks/hit_sphere/right/half_b.cpp >"$work/mine/1_rays/hit_sphere.cpp"
-  grep -qF 'length(oc)' "$work/mine/1_rays/hit_sphere.cpp" || complain "the solution has another form now"
-  shown 1 hit_sphere --submission "$work/mine" --out "$work/out"
+    grader/tasks/hit_sphere/right/half_b.cpp >"$folder/mine/1_rays/hit_sphere.cpp"
+  grep -qF 'length(oc)' "$folder/mine/1_rays/hit_sphere.cpp" || complain "the solution has another form now"
+  shown 1 hit_sphere --submission "$folder/mine" --out "$folder/out"
   [ -n "$(error "$csv" yours 1000)" ] && [ -z "$(error "$csv" yours 1e+08)" ] ||
     complain "with $how, places have the wrong numbers:" "$(cat "$csv")"
   says '* yours: '
 done
 
 # A search sees a missing answer at once, and continues where it stopped.
-shown 0 hit_sphere --submission "$work/mine" --search --minutes .01
+shown 0 hit_sphere --submission "$folder/mine" --search --minutes .01
 says 'broken: '
 before=$(grep -o '[0-9]* inputs in' <<<"$said" | head -1)
-shown 0 hit_sphere --submission "$work/mine" --search --minutes .01
+shown 0 hit_sphere --submission "$folder/mine" --search --minutes .01
 [ "$(grep -o '[0-9]* inputs in' <<<"$said" | head -1 | tr -dc 0-9)" -gt "$(tr -dc 0-9 <<<"$before")" ] ||
   complain "a second search did not go on:" "$before" "$said"
 # The reference is searched in this program itself.
@@ -66,22 +60,23 @@ says 'hit_bvh: '
 says ' inputs in '
 
 # A broken promise is named with its place. The reference keeps all promises.
-shown 0 hit_sphere --submission "$work/right"
+shown 0 hit_sphere --submission "$folder/right"
 says 'yours breaks the promise of the bonus at '
 ! grep -q 'yours breaks the promise at' <<<"$said" || complain "a textbook's sphere breaks a promise:" "$said"
-cp build/mistakes/hit_sphere/float_arithmetic/hit_sphere.cpp "$work/right/1_rays/hit_sphere.cpp"
-shown 1 hit_sphere --submission "$work/right"
+cp build/mistakes/hit_sphere/float_arithmetic/hit_sphere.cpp "$folder/right/1_rays/hit_sphere.cpp"
+shown 1 hit_sphere --submission "$folder/right"
 says 'yours breaks the promise at '
-"$stability" --no-methods --coarse --effort .3 >"$work/reference"
-! grep 'reference breaks the promise at' "$work/reference" || complain "the reference breaks a promise"
-grep -qF '  promised: ' "$work/reference" && grep -qF '  promised by a bonus: ' "$work/reference" ||
-  complain "no promise is shown:" "$(cat "$work/reference")"
+"$stability" --no-methods --coarse --effort .3 >"$folder/reference"
+! grep 'reference breaks the promise at' "$folder/reference" || complain "the reference breaks a promise"
+grep -qF '  promised: ' "$folder/reference" && grep -qF '  promised by a bonus: ' "$folder/reference" ||
+  complain "no promise is shown:" "$(cat "$folder/reference")"
 
-echo 'int' >"$work/mine/1_rays/hit_sphere.cpp"
-shown 1 hit_sphere --submission "$work/mine"
+echo 'int' >"$folder/mine/1_rays/hit_sphere.cpp"
+shown 1 hit_sphere --submission "$folder/mine"
 says 'yours is not measured: '
-rm "$work/mine/1_rays/hit_sphere.cpp"
-shown 1 hit_sphere --submission "$work/mine"
+rm "$folder/mine/1_rays/hit_sphere.cpp"
+shown 1 hit_sphere --submission "$folder/mine"
 says 'there is no 1_rays/hit_sphere.cpp'
 shown 2 hit_spheres
-shown 2 hit_sphere --submission "$work/nowhere"
+shown 2 hit_sphere --submission "$folder/nowhere"
+finish

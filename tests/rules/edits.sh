@@ -1,17 +1,11 @@
 #!/usr/bin/env bash
 # edits.sh: tests the files that cmake/edits.awk makes of correct tables, and its messages about faulty tables.
 set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-complain() {
-  printf '%s\n' "$*"
-  failures=$((failures + 1))
-}
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
 
 # edits TABLE WHAT: the table is on standard input below $folder.
-edits() { awk -v "root=$folder" -v "reference=$folder/right.cpp" -v needed="says base" "$@" -f "$here/../../cmake/edits.awk" "$folder/table"; }
+edits() { awk -v "root=$folder" -v "reference=$folder/right.cpp" -v needed="says base" "$@" -f cmake/edits.awk "$folder/table"; }
 
 printf '// right: a\n#include "a.h"\n\nint a() {\n  int i = 1;\n\n  return i + i;\n}\n' >"$folder/right.cpp"
 cat >"$folder/table" <<'END'
@@ -109,5 +103,4 @@ printf '%s\n' 'base    right.cpp' '' 'breaks  a_promise' '' 'name    a' 'says   
 [ "$(sed -n 1,2p "$folder/guarded/b/a.cpp")" = $'// breaks: a_promise\n#include "a.h"' ] || complain 'a guard has a comment'
 grep -qx '  int i = 2;' "$folder/guarded/a/a.cpp" && grep -qx '// S.' "$folder/guarded/a/a.cpp" && grep -qx '  int i = 3;' "$folder/guarded/b/a.cpp" &&
   grep -qx '  int i = 4;' "$folder/guarded/c/a.cpp" || complain 'another base than that of all entries'
-echo "$failures complaints"
-[ "$failures" -eq 0 ]
+finish

@@ -5,10 +5,9 @@
 # has to print the indented lines below it together, in this order.
 # sample_tables.sh GRADE: GRADE is the program.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-grade=$1 tables=0 failures=0
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
+grade=$1 tables=0
 
 # submission BASE [SOLUTION ...]: makes this submission in $folder/submission.
 submission() {
@@ -35,12 +34,9 @@ while IFS=: read -r page line words; do
   [ -s "$folder/table" ] || { echo "$page:$line: there is no table below"; exit 1; }
   "$grade" "${options[@]}" --seed 1 --submission "$folder/submission" --name student --quiet >"$folder/said" 2>&1 || [ $? -eq 1 ]
   if ! python3 -c 'import sys; sys.exit(open(sys.argv[1]).read() not in open(sys.argv[2]).read())' "$folder/table" "$folder/said"; then
-    echo "$page:$line: grade prints another table:"
-    diff "$folder/table" "$folder/said" || true
-    failures=$((failures + 1))
+    complain "$page:$line: grade prints another table: $(diff "$folder/table" "$folder/said")"
   fi
   tables=$((tables + 1))
 done < <(grep -rn --include='*.md' -E '^<!-- grade .*; .* -->$' student docs)
-[ "$tables" -ge 2 ] || { echo "there are $tables tables to compare"; exit 1; }
-echo "$tables tables, $failures differ"
-[ "$failures" -eq 0 ]
+[ "$tables" -ge 2 ] || complain "there are $tables tables to compare"
+finish

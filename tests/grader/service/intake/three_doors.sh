@@ -3,15 +3,9 @@
 # whatever form they are handed in.
 # three_doors.sh GRADER: the folder with the programs.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../../../.."
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../../fixtures/shell.sh"
 grader=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-
-complain() {
-  printf '%s\n' "$*"
-  exit 1
-}
 
 mkdir "$folder/class" "$folder/autograder" "$folder/grade"
 python3 - "$folder/class" <<'END'
@@ -146,3 +140,4 @@ assert (large["state"], large["reason"]) == ("rejected", "the file is larger tha
 for name in ("two zips", "two files", "broken", "nothing", "rar"):
     assert rows[name]["problem"], rows[name]
 END
+finish
