@@ -12,10 +12,22 @@ function(firstlight_render_program name mixture)
     FAST RECORDED)
 endfunction()
 
+# firstlight: what another project links to render with the reference's tasks (tests/pt/outside).
+function(firstlight_add_library)
+  add_library(firstlight INTERFACE)
+  target_link_libraries(firstlight INTERFACE pt_render pt_loader)
+  foreach(task IN LISTS FIRSTLIGHT_TASKS)
+    get_filename_component(slug ${task} NAME)
+    target_sources(firstlight INTERFACE $<TARGET_OBJECTS:${slug}.reference>)
+  endforeach()
+  target_sources(firstlight INTERFACE $<TARGET_OBJECTS:radiance.path>)
+endfunction()
+
 # Makes a render program of one whole implementation, and one for each mixture that was asked for.
 function(firstlight_add_render_programs)
   if(FIRSTLIGHT_REFERENCE STREQUAL sources)
     firstlight_render_program(render reference)
+    firstlight_add_library()
   else()
     firstlight_render_program(render student)
   endif()

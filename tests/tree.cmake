@@ -41,6 +41,7 @@ firstlight_script_test(resume rest commands/resume.sh ARGUMENTS ${PROJECT_BINARY
 firstlight_script_test(faults rest commands/faults.sh ${build} NEEDS grade graded watch hint)
 # These build the project again: minutes, or with ccache the first time only.
 firstlight_script_test(handout long commands/handout.sh ${build} NEEDS compiled graded reference_objects)
+firstlight_script_test(outside long pt/outside/outside.sh ARGUMENTS $<TARGET_FILE:render_plain> NEEDS render_plain)
 firstlight_script_test(autograder long commands/autograder.sh ${build} NEEDS grade graded)
 firstlight_script_test(mutants long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants TIMEOUT 7200)
 firstlight_script_test(drawn_mutants long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants --draw 200 TIMEOUT 14400)

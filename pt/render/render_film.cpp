@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <chrono>
 #include <mutex>
 #include <thread>
@@ -125,6 +126,7 @@ RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings&
 RenderResult render_film(const View& view, const RenderSettings& settings,
                          const std::function<void(double)>& progress,
                          const std::atomic<bool>* stop) {
+  assert((settings.adaptive || settings.samples > 0) && settings.threads > 0);
   const auto start = std::chrono::steady_clock::now();
   RenderResult result;
   result.film = Film(view.width, view.height);

@@ -8,6 +8,7 @@
 #include "pt/scene/collada/transforms.h"
 #include "pt/scene/field_of_view.h"
 
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -170,6 +171,7 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   loaded.notes = once_per_kind(notes);
   loaded.unsupported_lights = std::move(nodes.unsupported);
   loaded.ignores_emission = surfaces.ignores_emission;
+  assert(std::ssize(loaded.scene.material_of) == primitives.size());
   return loaded;
 }
 

@@ -3,6 +3,8 @@
 #include "pt/tasks/build_bvh.h"
 #include "pt/tasks/hit_bvh.h"
 
+#include <cassert>
+
 namespace pt {
 
 namespace {
@@ -61,6 +63,7 @@ bool Tracer::occluded(const Primitives& primitives, const Ray& ray) const {
 }
 
 std::uint32_t Tracer::occluded(const Primitives& primitives, std::span<const Ray> rays) const {
+  assert(rays.size() <= 32);
   if (engine_ == Engine::wide) return wide_.occluded(primitives, rays);
   std::uint32_t blocked = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {

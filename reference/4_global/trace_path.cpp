@@ -22,6 +22,9 @@ Rgb direct(const Scene& scene, const SurfacePoint& point, const PathSettings& se
 
 Rgb trace_path(const Scene& scene, const SurfacePoint& start, const PathSettings& settings,
                Sampler& sampler) {
+  // The sum of T_k D_k over the bounces k = from, ..., to. D_k is the direct light at point k, the
+  // first being `start`. The throughput T_k is the product of f cos / pdf over the directions chosen
+  // before point k, divided by the chance to survive at each point between the first and point k.
   Rgb sum;
   Rgb throughput = gray(1);  // the part of the light at `point` that reaches `start`
   SurfacePoint point = start;

@@ -31,6 +31,8 @@ struct RunningVariance {
 
 PixelEstimate adaptive_pixel(const View& view, int x, int y, const AdaptiveSettings& settings,
                              Sampler& sampler) {
+  // Ends at the first n = b, 2 b, 3 b, ... with 1.96 sigma / sqrt(n) < tolerance * mean, where b is the
+  // size of a batch, and mean and sigma are those of the luminance of n samples.
   Rgb sum;
   RunningVariance brightness;
   while (brightness.n < settings.max_samples) {
