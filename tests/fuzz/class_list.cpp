@@ -47,12 +47,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   try {
     std::set<std::string> names;
-    const auto unpack_nothing = [](const std::string&, const std::string&, Extent) {
+    const Readers nothing_read{[](const std::string&, const std::string&, Extent) {
       return std::string("it is not unpacked");
-    };
+    }};
     const std::vector<TaskFile> tasks{{"2_bvh", "hit_box"}};
     for (const HandedIn& each :
-         handed_in(all, folder.path() + "/work", tasks, unpack_nothing).everybody) {
+         handed_in(all, folder.path() + "/work", tasks, nothing_read).everybody) {
       fuzz::expect(names.insert(each.name).second);
       fuzz::expect(!each.name.empty() && each.name.find('/') == each.name.npos);
     }
