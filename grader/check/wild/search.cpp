@@ -146,7 +146,7 @@ void record(const std::string& kind, const Plainness& seen) {
   add("_with_habit", seen.with_habit);
 }
 
-// How plain the submission's file is. Its usual calls are made once for all promises of the task.
+// Returns how plain the submission's file is. Its usual calls are made once for all promises of the task.
 const Plainness& plainness(const WildTask& task) {
   static const Plainness usual = [&] {
     Plainness seen;
