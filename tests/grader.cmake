@@ -26,6 +26,8 @@ foreach(what right mistakes doors)
   firstlight_script_test(course_${what} rest grader/door/course.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader ${what} NEEDS grade graded grade_class)
 endforeach()
 
+firstlight_script_test(course_attacks rest grader/door/attacks.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
+
 firstlight_library(example_results grader/report/example_results.cpp)
 target_link_libraries(example_results PUBLIC grader_platforms)
 firstlight_test(test_report quick PATHS LIBRARIES example_results GTest::gmock SOURCES

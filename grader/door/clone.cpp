@@ -25,6 +25,7 @@ constexpr std::size_t kMaxFiles = 2000;
 constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
 constexpr int kMaxDepth = 8;
 constexpr std::array kParts{"src", "CGL"};
+constexpr const char* kWithFlag = "2023";
 constexpr int kMaxAbove = 3;  // folders above a clone
 
 // Returns whether a name can stand in a #line: no quotation mark ends it, and no newline.
@@ -194,9 +195,14 @@ const char* first_year(Generation generation) {
   return "";
 }
 
-std::optional<Generation> generation_since(const std::string& year) {
+std::string year_of(const Course& course) {
+  return course.accumulates ? kWithFlag : first_year(course.generation);
+}
+
+std::optional<Course> course_since(const std::string& year) {
+  if (year == kWithFlag) return Course{Generation::of_2022, true};
   for (const Generation each : {Generation::of_2019, Generation::of_2020, Generation::of_2022}) {
-    if (year == first_year(each)) return each;
+    if (year == first_year(each)) return Course{each, false};
   }
   return std::nullopt;
 }

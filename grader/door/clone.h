@@ -54,11 +54,16 @@ enum class Generation { of_2019 = 1, of_2020 = 2, of_2022 = 3 };
 struct Course {
   Generation generation = Generation::of_2022;
   bool accumulates = false;  // it has the flag isAccumBounces, as since 2023
+
+  bool operator==(const Course&) const = default;
 };
 Course course_of(const Clone& clone);
 
-// "2019", "2020" or "2022": the first year; and back: nothing for another text.
+// "2019", "2020" or "2022": the first year.
 const char* first_year(Generation generation);
-std::optional<Generation> generation_since(const std::string& year);
+
+// The first year of a course, which is 2023 with the flag; and back: nothing for another text.
+std::string year_of(const Course& course);
+std::optional<Course> course_since(const std::string& year);
 
 }  // namespace grader::door

@@ -152,7 +152,8 @@ class Flat {
 // "#include <cmath>" and so on. What another system has may not be here.
 std::string includes_of(const std::set<std::string>& standard) {
   std::string text =
-      "#include <cmath>\n#include <cstdint>\n#include <cstdio>\n#include <string>\n#include "
+      "#include <cmath>\n#include <cstdarg>\n#include <cstdint>\n#include <cstdio>\n#include "
+      "<string>\n#include "
       "<utility>\n#include <vector>\n";
   for (const std::string& name : standard) {
     text += fmt::format("#if __has_include(<{0}>)\n#include <{0}>\n#endif\n", name);

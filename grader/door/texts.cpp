@@ -27,6 +27,13 @@ std::vector<std::string> words_of(std::istream& line) {
   return words;
 }
 
+AddedPromise promise_in(std::istream& line) {
+  AddedPromise promise;
+  line >> promise.since >> promise.name >> std::ws;
+  std::getline(line, promise.words);
+  return promise;
+}
+
 Adapter read_adapter(const fs::path& path) {
   std::istringstream lines(pt::read_file(path));
   Adapter adapter;
@@ -34,11 +41,25 @@ Adapter read_adapter(const fs::path& path) {
     std::istringstream words(line);
     std::string what;
     words >> what;
+    if (what == "promise") {
+      adapter.promises.push_back(promise_in(words));
+      continue;
+    }
+    if (what == "named") {
+      std::string name;
+      words >> name >> std::ws;
+      std::getline(words, adapter.named[name]);
+      continue;
+    }
     const std::vector<std::string> all = words_of(words);
     if (what == "sources") {
       adapter.sources = all;
     } else if (what == "function") {
       adapter.functions = all;
+    } else if (what == "cause" && !all.empty()) {
+      adapter.causes[all[0]] = {all.begin() + 1, all.end()};
+    } else if (what == "together" && all.size() == 1) {
+      adapter.together = all[0];
     } else if (what == "stub" && !all.empty()) {
       adapter.stubs.push_back({all[0] == "file" ? "" : all[0], {all.begin() + 1, all.end()}});
     } else {

@@ -14,14 +14,29 @@ struct Stub {
   std::vector<std::string> words{};
 };
 
+// A promise that is judged from this year of the course on, besides those of the contract. With a
+// name that ends with _bonus, it is a bonus promise.
+struct AddedPromise {
+  std::string since{}, name{}, words{};
+};
+
 // An adapter makes a task of the learner's function. It is a file in grader/door/tasks/:
 //   sources   the learner's files, without folders; the first has the function
 //   function  the name that the learner knows it by; it may be another one in 2019
 //   stub      see above
+//   promise   the first year, the name, and what it says: fl_not_kept(name, ...) says that it is broken
+//   cause     the name of a known mistake of the task, and the promises that it may break: it costs one of them
+//   named     the name of a mistake, and a sentence: fl_not_kept(name, ...) says that it was seen
+//   together  a task that works perhaps only with this one: then its promise works_with_any says so
 //   ---       the includes of the task follow, and behind another line of this kind our functions
 struct Adapter {
   std::vector<std::string> sources{}, functions{};
   std::vector<Stub> stubs{};
+  std::vector<AddedPromise> promises{};
+  // By the name of the mistake: what it breaks, and the sentence.
+  std::map<std::string, std::vector<std::string>> causes{};
+  std::map<std::string, std::string> named{};
+  std::string together{};  // a slug, or empty
   std::string includes{}, code{};
 };
 

@@ -188,7 +188,7 @@ int name_programs(const build::Config& config, const GradeOptions& options) {
 std::optional<door::Dialect> dialect_of(const build::Config& config, const GradeOptions& options,
                                         const std::optional<intake::TakenIn>& taken) {
   const auto course = options.course.empty() ? taken ? taken->found().course : std::nullopt
-                                             : door::generation_since(options.course);
+                                             : door::course_since(options.course);
   if (!course) return std::nullopt;
   const std::string texts = config.root + "/grader/door";
   return options.dialect == "none" ? door::no_dialect(texts, *course)

@@ -61,7 +61,7 @@ GradeOptions parse_options(const std::vector<std::string>& words) {
   app.add_flag("--resume", options.resume, "Continue the run that was interrupted");
   app.add_option("--note", options.note, "Which of the files handed in are in it")->group("");
   app.add_option("--course", options.course, "The clone's skeleton is that of this year")
-      ->check(CLI::IsMember({"2019", "2020", "2022"}))
+      ->check(CLI::IsMember({"2019", "2020", "2022", "2023"}))
       ->group("");
   app.add_option("--take-to", options.take_to, "Write the task files to this folder")->group("");
   app.add_flag("--programs", options.programs, "Name the programs for ./run")->group("");

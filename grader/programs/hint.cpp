@@ -48,6 +48,15 @@ results::Promise find_promise(const std::vector<results::Promise>& promises,
                               fmt::join(titles, "; ")));
 }
 
+// The first of these names that is a promise of the contract: a clone of the course has others too, and no hints for them.
+std::string first_known(const std::vector<results::Promise>& promises,
+                        const std::vector<std::string>& names) {
+  const auto known = std::ranges::find_if(names, [&](const std::string& name) {
+    return std::ranges::count(promises, name, &results::Promise::name) > 0;
+  });
+  return known == names.end() ? "" : *known;
+}
+
 // Wraps paragraphs again: the files are wider than many terminals.
 std::string paragraphs(const std::string& text) {
   std::string all, paragraph;
@@ -72,7 +81,7 @@ int run(const Options& options) {
 
   report::Memory memory = report::recall(config.work, slug);
   std::string asked = fmt::format("{}", fmt::join(options.promise, " "));
-  if (asked.empty() && !memory.fails.empty()) asked = memory.fails[0];
+  if (asked.empty()) asked = first_known(promises, memory.fails);
   const results::Promise about_it =
       asked.empty() ? results::Promise{} : find_promise(promises, slug, asked);
 

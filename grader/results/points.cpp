@@ -123,16 +123,22 @@ int worth(int usual, const std::map<std::string, int>& special, const std::strin
 // promises that hold are worth, and 0 if the task always gives the same answer: such a task has
 // shown nothing, whatever its mistake is called.
 int spared_by(const TaskPoints& task, const TaskResult& result) {
-  int all = 0, lost = 0;
+  int all = 0, lost = 0, dearest = 0;
   for (const PromiseResult& promise : result.promises) {
     if (promise.bonus) continue;
     all += promise.points;
-    lost += is_kept_by_itself(promise) ? 0 : promise.points;
+    const int cost = is_kept_by_itself(promise) ? 0 : promise.points;
+    lost += cost;
+    dearest = std::max(dearest, cost);
   }
   // In doubles .1 x 30 is a little more than 3: it stands for 3 points.
-  const int most = static_cast<int>(std::ceil(task.one_cause * all - 1e-9));
-  const bool one_cause = !result.mistake.empty() && !result.mistake.always_the_same;
-  return !one_cause ? 0 : std::clamp(lost - most, 0, all - lost);
+  const int share = static_cast<int>(std::ceil(task.one_cause * all - 1e-9));
+  const bool one_cause = !result.mistake.empty() && !result.mistake.always_the_same &&
+                         result.mistake.found_by != kNamedOnly;
+  const bool is_proven = result.mistake.found_by == kOneCause;
+  return !one_cause
+             ? 0
+             : std::clamp(lost - (is_proven ? dearest : share), 0, is_proven ? lost : all - lost);
 }
 
 }  // namespace

@@ -20,6 +20,11 @@ struct TaskPoints {
 
 using Points = std::map<std::string, TaskPoints>;  // by slug
 
+// Mistake::found_by of a mistake that costs no more than one promise: a dialect says so.
+inline constexpr const char* kOneCause = "one cause";
+// And of one that has a name only: the submission may have named it itself.
+inline constexpr const char* kNamedOnly = "named";
+
 // Reads grader/points.json:
 //   {"parts": {part: n},
 //    "default": {"promise": n, "picture": n, "too_noisy": n, "keeps_state": n,
@@ -40,11 +45,11 @@ bool is_kept_by_itself(const PromiseResult& promise);
 // Fills in the points of each promise and picture, and the sums. What is right with the reference
 // elsewhere, and wrong only with the submission's other tasks, keeps its points: the mistake is
 // theirs, and counts there. A picture earns at most the share of its points that the promises of its
-// task earn of theirs, rounded. If a mistake is named, it is the
-// one cause of all that is wrong: then broken promises together cost at most the share `one_cause`
-// of the points of the task's promises, rounded up to a whole point. Anything beyond that is given
-// back as `spared`: at most what the promises that hold earn, and nothing if the task always gives
-// the same answer.
+// task earn of theirs, rounded. If a mistake is named, it is the one cause of all that is wrong: then
+// broken promises together cost at most the share `one_cause` of the points of the task's promises,
+// rounded up to a whole point. Anything beyond that is given back as `spared`: at most what the
+// promises that hold earn, and nothing if the task always gives the same answer. If kOneCause found
+// it, they cost what the dearest of them is worth; if kNamedOnly did, all that they are worth.
 void count_points(const Points& points, TaskResult& result);
 
 }  // namespace grader::results

@@ -67,7 +67,7 @@ Key key_of(const Judging& judging, const intake::HandedIn& by) {
   if (fs::exists(golden)) key += stamp_of_files(golden);
   for (const std::string& word : judging.words) key += word + '\0';
   key += std::to_string(judging.seed);
-  if (by.course) key += door::first_year(*by.course);
+  if (by.course) key += door::year_of(*by.course);
   const std::string root = base::submission_root(by.folder);
   for (const build::TaskConfig& task : config.tasks) {
     const base::Submitted file = base::read_submitted(root, task.part, task.slug);
@@ -157,7 +157,7 @@ std::string run_grade(const Judging& judging, const intake::HandedIn& by, const 
     command.push_back("--threads=" + std::to_string(judging.threads));
   }
   if (!by.note.empty()) command.push_back("--note=" + by.note);
-  if (by.course) command.push_back(std::string("--course=") + door::first_year(*by.course));
+  if (by.course) command.push_back("--course=" + door::year_of(*by.course));
   if (!judging.work.empty()) command.push_back("--work=" + judging.work);
   command.insert(command.end(), judging.words.begin(), judging.words.end());
   const auto run = [&] {

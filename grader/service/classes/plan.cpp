@@ -55,7 +55,7 @@ std::uint64_t seed_for(const PlanRequest& request) {
 
 // The first year of the skeleton of a clone; else an empty text.
 std::string year_of(const intake::HandedIn& by) {
-  return by.course ? door::first_year(*by.course) : "";
+  return by.course ? door::year_of(*by.course) : "";
 }
 
 // A text that is equal for equal task files; empty if there are no task files.
@@ -173,7 +173,7 @@ intake::HandedIn handed_in_from(const json& from) {
           static_cast<intake::Platform>(from.at("platform").get<int>()),
           text_from(from.at("feedback")),
           text_from(from.at("note")),
-          door::generation_since(from.at("course").get<std::string>())};
+          door::course_since(from.at("course").get<std::string>())};
 }
 
 // Throws if the plan is invalid: another program may have written it.

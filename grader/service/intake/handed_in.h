@@ -23,7 +23,7 @@ struct HandedIn {
   Platform platform = Platform::none;
   std::string feedback{};  // the path under which the platform takes a page back; empty: none
   std::string note{};      // which files count of those that differ, in one sentence; else empty
-  std::optional<door::Generation> course{};  // of a clone of the course: the files are made of it
+  std::optional<door::Course> course{};  // of a clone of the course: the files are made of it
 };
 
 // Called when the number of submissions is known, and after each submission.

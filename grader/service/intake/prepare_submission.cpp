@@ -58,8 +58,8 @@ struct Work {
   std::string problem;
   bool nothing = false;
   std::vector<std::string> notes{};
-  bool is_flat = false;  // without folders for the parts, as files of platforms are
-  std::optional<door::Generation> course{};  // of a clone: the folder has what was made of it
+  bool is_flat = false;                  // without folders for the parts, as files of platforms are
+  std::optional<door::Course> course{};  // of a clone: the folder has what was made of it
 };
 
 // Puts a file of the same kind in the place of one that cannot be used: the judge rejects it for the same
@@ -182,7 +182,7 @@ Work flattened(const fs::path& folder, const std::vector<fs::path>& clones,
   }
   const door::Clone clone = door::read_clone(clones[0]);
   Work work{tools.next_folder(), {}, clone.problem};
-  work.course = door::course_of(clone).generation;
+  work.course = door::course_of(clone);
   if (work.problem.empty())
     work.problem =
         tools.readers.flatten((clones[0] / "").parent_path().filename(), clone, work.folder);

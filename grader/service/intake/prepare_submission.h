@@ -43,7 +43,7 @@ struct Prepared {
   std::string problem;   // the reason why it cannot be judged, in one sentence; else empty
   std::string note{};    // which files count of those that differ, in one sentence; else empty
   bool nothing = false;  // the problem is that it holds no task file
-  std::optional<door::Generation> course{};  // of a clone: the files are made of it
+  std::optional<door::Course> course{};  // of a clone: the files are made of it
 };
 
 // Looks for the task files in a folder or an archive. They may be anywhere in it, packed, or have a

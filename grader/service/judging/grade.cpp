@@ -147,6 +147,9 @@ class Run {
       // Without a reference, a task may fail because of another task.
       if (config_.no_reference.empty()) {
         name_mistakes(config_, builder, request_, judged_, report);
+        for (Judged& each : judged_) {
+          if (request_.dialect) door::settle_cause(*request_.dialect, each.result);
+        }
       }
       if (!config_.no_reference.empty()) block_by_own_tasks(judged_);
       judge_together(config_, builder, request_, judged_, report);

@@ -36,6 +36,13 @@ class Integration {
         progress_(progress) {}
 
   void run() {
+    for (Judged& each : judged_) {
+      if (request_.dialect && works_only_with_its_own(each)) {
+        door::works_only_together(*request_.dialect, replay_command(request_, each.config->slug),
+                                  each.result);
+        each.right_alone = each.result.state == results::State::pass;
+      }
+    }
     std::vector<Judged*> together;
     for (Judged& each : judged_) {
       if (each.result.state == results::State::pass && !needs(each.config->slug).empty() &&
@@ -48,6 +55,33 @@ class Integration {
   }
 
  private:
+  // Returns whether a task that fails with the judge's version of another one keeps all promises with
+  // the submission's own.
+  bool works_only_with_its_own(const Judged& judged) const {
+    const auto adapter = request_.dialect->adapters.find(judged.config->slug);
+    if (adapter == request_.dialect->adapters.end() || adapter->second.together.empty() ||
+        judged.right_alone || !judged.object.ok() ||
+        judged.result.state == results::State::not_attempted)
+      return false;
+    std::vector<Judged> both = judged_;
+    for (Judged& each : both) {
+      const std::string& slug = each.config->slug;
+      each.right_alone =
+          each.object.ok() && (slug == judged.config->slug || slug == adapter->second.together);
+    }
+    const build::Built worker = link_together(config_, builder_, both, Elsewhere::answers);
+    if (!worker.ok()) return false;
+    const results::TaskResult found =
+        try_worker(builder_, {*judged.config, worker, true, request_, {}});
+    return !found.promises.empty() &&
+           std::ranges::all_of(found.promises, [&](const results::PromiseResult& promise) {
+             const auto& all = judged.result.promises;
+             const auto listed =
+                 std::ranges::find(all, promise.name, &results::PromiseResult::name);
+             return promise.held || listed == all.end() || listed->bonus;
+           });
+  }
+
   // A task that was not requested matters only if a requested task fails: it may fail because of
   // the other task, and is then blocked.
   void judge_all(std::vector<Judged*> together) {

@@ -70,7 +70,7 @@ def unwritten(years):
 MISTAKES = [
     ("camera_ray", "fills_the_field_of_view", ("camera.cpp", "hFov * PI / 360", "hFov * PI / 180")),
     ("hit_triangle", "interpolates_the_corner_normals", ("triangle.cpp", "n2 * u + n3 * v", "n3 * u + n2 * v")),
-    ("hit_triangle", "hits_where_it_is_aimed", ("triangle.cpp", "return test(r, t, u, v);", "return test(r, t, u, v) && u > 0.5;")),
+    ("hit_triangle", "hits_where_it_is_aimed", ("triangle.cpp", "u + v <= 1", "u + v <= 0.9")),
     ("hit_sphere", "hits_from_inside", ("sphere.cpp", "t1 >= r.min_t ? t1 : t2;", "t1;")),
     ("build_bvh", "keeps_leaves_small", ("bvh.cpp", "<= max_leaf_size", "<= 2 * max_leaf_size")),
     ("hit_box", "misses_beside_the_box", ("bbox.cpp", "if (enters > leaves) return false;", "")),
@@ -82,6 +82,9 @@ MISTAKES = [
     ("adaptive_pixel", "stops_where_the_interval_is_narrow", ("pathtracer.cpp", "1.96", "2.96")),
     ("estimate_pixel", "covers_the_whole_pixel", ("pathtracer.cpp", "(x + in_pixel.x)", "(x + 0.9 * in_pixel.x)")),
 ]
+# By the promise: the mistakes that are named. Others break it in a way of which no known mistake is the only explanation.
+NAMES = {"interpolates_the_corner_normals": "weights_exchanged", "hits_from_inside": "near_root_only", "f_reflects_the_albedo": "f_without_pi",
+         "sees_a_light_of_known_size": "half_of_f, pdf_of_half_the_hemisphere", "is_not_hidden_by_the_light_itself": "unbounded_shadow_ray"}
 # A mistake in raytrace_pixel is one in both tasks.
 SHARED = {"estimate_pixel": {"adaptive_pixel"}}
 
@@ -91,9 +94,51 @@ def mistakes():
         said, results = grade(made(f"wrong{number}", 2022, edits=[edit]))
         failing = {task["slug"]: broken(task) for task in results["tasks"] if task["state"] not in ("pass", "blocked")}
         expect(promise in failing.get(slug, []) and set(failing) <= {slug} | SHARED.get(slug, set()), f"{slug}, {edit}", failing)
+        named = {task["slug"]: task["mistake"]["name"] for task in results["tasks"] if task["mistake"].get("name")}
+        expect(named == ({slug: NAMES[promise]} if promise in NAMES else {}), f"the name of {edit}", named)
         expect("your " in said and "::" in said, f"the learner's name in {slug}", said[:500])
-    said, results = grade(os.path.join(folder.name, "wrong2"), "hit_triangle")
-    expect("disagree about a ray" in results["tasks"][0]["printed"], "has_intersection alone", said)
+
+
+# What only this door can see. The year, the task, what is broken of it, and the edits: one cause costs one promise.
+VARIANCE = "std::max(0.0, (s2 - s1 * s1 / n) / (n - 1))"
+SAMPLE = "const Vector3D sample = est_radiance_global_illumination(ray);"
+JITTER = "Vector2D in_pixel = gridSampler->get_sample();"
+FROM_A_TABLE = "static std::vector<Vector2D> table; while (table.size() < 256) table.push_back(gridSampler->get_sample()); Vector2D in_pixel = table[n % 256];"
+ADDS = "if (accumulates || r.depth == 1) sum +="
+EITHER_CHILD = "node->l->bb.intersect(r, l0, l1), right = node->r->bb.intersect(r, r0, r1);"
+SEEN_HERE = [
+    (2022, "hit_triangle", ["has_intersection_agrees_with_intersect"], [("triangle.cpp", "return test(r, t, u, v);", "return test(r, t, u, v) && u > 0.5;")]),
+    (2019, "hit_sphere", ["has_intersection_agrees_with_intersect"], [("sphere.cpp", "bool Sphere::intersect(const Ray& r) const {", "bool Sphere::intersect(const Ray& r) const { if (r.min_t > 0) return false;")]),
+    (2023, "trace_path", ["shows_one_bounce_alone"], [("pathtracer.cpp", ADDS, "sum +=")]),
+    (2023, "trace_path", ["shows_one_bounce_alone"], [("pathtracer.cpp", ADDS, "if (accumulates || r.depth == max_ray_depth) sum +=")]),
+    (2022, "estimate_pixel", ["traces_each_ray_once"], [("pathtracer.cpp", SAMPLE, "est_radiance_global_illumination(ray); " + SAMPLE)]),
+    (2022, "adaptive_pixel", [], [("pathtracer.cpp", SAMPLE, "est_radiance_global_illumination(ray); " + SAMPLE)]),
+    (2022, "estimate_pixel", ["covers_the_whole_pixel"], [("pathtracer.cpp", JITTER, FROM_A_TABLE)]),
+    (2022, "adaptive_pixel", ["covers_the_whole_pixel"], [("pathtracer.cpp", JITTER, FROM_A_TABLE)]),
+    (2022, "adaptive_pixel", [], [("pathtracer.cpp", VARIANCE, "(s2 - s1 * s1 / n) / (n - 1)")]),
+    (2022, "hit_bvh", [], [("bbox.cpp", "  t0 = enters;\n  t1 = leaves;\n", ""),
+                           ("bvh.cpp", "double l0, l1, r0, r1;", "double l0 = r.min_t, r0 = r.min_t;"),
+                           ("bvh.cpp", EITHER_CHILD, re.sub("[lr][01]", lambda found: "r.max_t" if found.group()[1] == "1" else "r.min_t", EITHER_CHILD))]),
+]
+BONUS = {"adaptive_pixel": "stops_where_all_samples_are_equal_bonus", "hit_bvh": "works_with_any_box_bonus"}
+
+
+def seen_here():
+    for number, (year, slug, lost, edits) in enumerate(SEEN_HERE):
+        said, results = grade(made(f"seen{number}", year, edits=edits), slug)
+        task = results["tasks"][0]
+        expect(broken(task) == lost and task["points"] == task["max_points"] - len(lost) and not task["printed"], f"{slug}, {edits[0][2]}", said)
+        names = [promise["name"] for promise in task["promises"] if not promise["held"]]
+        expect(lost or BONUS[slug] in names or "est_radiance" in edits[0][2], f"the bonus of {slug}", names)
+        expect("table" not in edits[0][2] or "other generator" in task["mistake"]["sentence"], f"the name of the table in {slug}", task["mistake"])
+    _, results = grade(made("no_fallback", 2022, edits=[("bvh.cpp", "  if (cut == start || cut == end) cut = start + (end - start) / 2;\n", "")]), "build_bvh")
+    task = results["tasks"][0]
+    expect(len(broken(task)) > 4 and task["points"] == task["max_points"] - 1, "equal centroids", (task["points"], broken(task)))
+    # Whoever prints our lines loses promises, and gains none.
+    forged = [("pathtracer.cpp", "1.96", "(fprintf(stderr, \"not kept: jitter_from_a_table: forged\\n\") > 0 ? 2.96 : 1.96)")]
+    _, honest = grade(made("honest", 2022, edits=[("pathtracer.cpp", "1.96", "2.96")]), "adaptive_pixel")
+    _, results = grade(made("forged", 2022, edits=forged), "adaptive_pixel")
+    expect(verdicts(results) == verdicts(honest), "forged lines", verdicts(results))
 
 
 def messages():
@@ -149,6 +194,7 @@ elif sys.argv[2] == "doors":
     packed()
 else:
     mistakes()
+    seen_here()
     messages()
 print("\n".join(complaints) or "all clones have their verdicts")
 sys.exit(1 if complaints else 0)

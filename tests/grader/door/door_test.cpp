@@ -1,8 +1,10 @@
 // A clone is read as data: nothing outside of it is read, whatever is in it.
 #include "grader/door/clone.h"
 #include "grader/door/code.h"
+#include "grader/door/dialect.h"
 #include "grader/door/edits.h"
 #include "grader/door/flatten.h"
+#include "grader/results/points.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "tests/fixtures/temporary_folder.h"
@@ -143,6 +145,58 @@ TEST(Flatten, sees_what_is_not_written_yet) {
   EXPECT_FALSE(is_written("// r is the ray\n return true;"));
   EXPECT_TRUE(is_written("return r.d.x > 0;"));
   EXPECT_TRUE(is_written("return slabs(r, t0, t1);"));
+}
+
+Dialect dialect_since(const std::string& year) {
+  return load_dialect(fs::path(FIRSTLIGHT_ROOT) / "grader/door", *course_since(year));
+}
+
+results::TaskResult judged(const Dialect& dialect, const std::string& slug,
+                           const std::string& printed) {
+  results::TaskResult task;
+  task.slug = slug;
+  translate(dialect, task);
+  settle_own(dialect, printed, "./run grade", task);
+  return task;
+}
+
+TEST(Dialect, has_promises_of_its_own_that_the_adapter_says_are_broken) {
+  const std::string name = "has_intersection_agrees_with_intersect";
+  const Dialect dialect = dialect_since("2019");
+  const results::TaskResult kept = judged(dialect, "hit_triangle", "not kept: another: one\n");
+  ASSERT_EQ(kept.promises.size(), 1U);
+  EXPECT_EQ(kept.promises[0].name, name);
+  EXPECT_TRUE(kept.promises[0].held);
+  const auto broken = judged(dialect, "hit_triangle", "mine\n\nnot kept: " + name + ": a: ray\n");
+  EXPECT_FALSE(broken.promises.at(0).held);
+  EXPECT_EQ(broken.promises.at(0).failures.at(0).got, "a: ray");
+  EXPECT_EQ(without_notes("mine\nnot kept: a: b\nyours\n"), "mine\nyours\n");
+  EXPECT_EQ(without_notes("\nnot kept: a: b\n"), "");
+}
+
+TEST(Dialect, asks_for_a_flag_where_the_skeleton_has_it) {
+  EXPECT_TRUE(is_own(dialect_since("2023"), "trace_path", "shows_one_bounce_alone"));
+  EXPECT_FALSE(is_own(dialect_since("2022"), "trace_path", "shows_one_bounce_alone"));
+  for (const char* year : {"2019", "2020", "2022", "2023"})
+    EXPECT_EQ(year_of(*course_since(year)), year);
+  EXPECT_FALSE(course_since("2021"));
+}
+
+// A line that the submission prints gives a mistake a name; a mistake that the judge names costs one promise.
+TEST(Dialect, lets_one_cause_cost_one_promise) {
+  const Dialect dialect = dialect_since("2022");
+  const auto named = judged(dialect, "estimate_pixel", "not kept: jitter_from_a_table: 4\n");
+  EXPECT_EQ(named.mistake.found_by, results::kNamedOnly);
+  results::TaskResult tree = judged(dialect, "build_bvh", "not kept: no_fallback: forged\n");
+  EXPECT_TRUE(tree.mistake.empty());
+  tree.promises = {{"is_one_tree", "", false, false, 1, 0, {}}};
+  tree.mistake.name = "no_fallback";
+  settle_cause(dialect, tree);
+  EXPECT_EQ(tree.mistake.found_by, results::kOneCause);
+  tree.mistake.found_by = "battery";
+  tree.promises.push_back({"separates_along_the_longest_axis", "", false, false, 1, 0, {}});
+  settle_cause(dialect, tree);
+  EXPECT_EQ(tree.mistake.found_by, "battery");
 }
 
 TEST(Edits, keep_lines) {

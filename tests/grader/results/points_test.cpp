@@ -160,6 +160,20 @@ TEST(points, of_one_cause_are_a_share_of_the_weights) {
   EXPECT_EQ(counted(task, points).spared, 12);
 }
 
+// A dialect bounds the cost of a cause that the judge has named. A name that the submission may have printed changes nothing.
+TEST(points, that_one_cause_of_a_dialect_takes_are_those_of_one_promise) {
+  TaskPoints points;
+  points.promise = 3;
+  points.promises = {{"p0", 9}};
+  TaskResult task = example(4, 3);
+  task.mistake = {"no_fallback", "It never ends.", kOneCause, "", false};
+  EXPECT_EQ(counted(task, points).points, 9 + 3 + 3 + 3 - 9);
+  task.promises[0].held = true;
+  EXPECT_EQ(counted(task, points).points, 9 + 3 + 3 + 3 - 3);
+  task.mistake.found_by = kNamedOnly;
+  EXPECT_EQ(counted(task, points).points, 9 + 3);
+}
+
 TEST(points, of_pictures_and_bonuses_are_not_spared) {
   TaskPoints points;
   points.one_cause = 0;

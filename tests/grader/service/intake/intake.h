@@ -59,7 +59,7 @@ class Intake : public testing::Test {
     std::map<std::string, std::string> files{};
     std::map<std::string, std::string>
         judged{};  // what the judge reads, by task, or why it rejects it
-    std::optional<door::Generation> course{};
+    std::optional<door::Course> course{};
   };
   // It also expects that each folder and archive of a learner gives the same without its class.
   std::map<std::string, Seen> seen(const std::filesystem::path& input) const;
