@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -211,6 +212,24 @@ TEST(charts, a_point_shows_its_values_under_the_pointer) {
   EXPECT_NE(svg.find("<title>50 % of '&lt;b>': 20 ± 3 at 1</title>"), std::string::npos) << svg;
   EXPECT_EQ(svg.find("<title>"), svg.rfind("<title>"));
   EXPECT_EQ(svg.find("onmouse"), std::string::npos);
+}
+
+TEST(charts, have_no_line_of_what_has_no_finite_error) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/hit_sphere.svg";
+  const auto draw_with = [&](double error) {
+    const Table table{"",
+                      {row("reference", 10, 1e-12), row("other", 5, error), row("kept", 20, 1e-9)}};
+    draw_charts({&about_of("hit_sphere"), {table}}, folder.path());
+  };
+  draw_with(1e-6);
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "gnuplot is missing";
+  EXPECT_NE(pt::read_file(file).find("other"), std::string::npos);
+  std::filesystem::remove(file);
+  draw_with(std::numeric_limits<double>::infinity());
+  const std::string svg = pt::read_file(file);
+  EXPECT_NE(svg.find("kept"), std::string::npos);
+  EXPECT_EQ(svg.find("other"), std::string::npos);
 }
 
 }  // namespace

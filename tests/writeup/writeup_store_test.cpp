@@ -3,6 +3,7 @@
 #include "pt/file.h"
 #include "tests/fixtures/pixels_depend_on.h"
 #include "tests/fixtures/temporary_folder.h"
+#include "writeup/files.h"
 #include "writeup/measurements.h"
 
 #include <set>
@@ -188,6 +189,17 @@ TEST_F(StoreTest, a_measurement_depends_on_its_part_of_the_code) {
   const std::string now = measured.key(needs);
   needs.options[1] = "0.01";
   EXPECT_NE(measured.key(needs), now);
+}
+
+// 256, 128 and 64 with the exponent 16; 1.9995 would be 512, and is 256 with the exponent 17. The 32 bits of
+// a pixel begin with their last byte, in Base64.
+TEST(files, of_a_film_have_nine_bits_of_each_channel_and_a_common_exponent) {
+  const TemporaryFolder folder;
+  pt::Film film(2, 1);
+  film.pixels[0].mean = {1, .5, .25};
+  film.pixels[1].mean = {1.9995, 0, 1 / 128.};
+  write_film(folder.path() + "/film", film, 1);
+  EXPECT_THAT(pt::read_file(folder.path() + "/film.js"), testing::HasSubstr("\"AAEBgQABBIg=\""));
 }
 
 }  // namespace
