@@ -16,7 +16,7 @@ struct Uncertain {
 };
 
 // The mean of at least one number, all independent, with the standard error from their spread; 0 for a single number.
-inline Uncertain mean_of(const std::vector<double>& values) {
+[[nodiscard]] inline Uncertain mean_of(const std::vector<double>& values) {
   assert(!values.empty());
   const auto n = static_cast<double>(values.size());
   double sum = 0, squares = 0;
@@ -26,7 +26,7 @@ inline Uncertain mean_of(const std::vector<double>& values) {
 }
 
 // The number in the middle of at least one number; of an even count, the larger of the two.
-inline double median_of(std::vector<double> values) {
+[[nodiscard]] inline double median_of(std::vector<double> values) {
   assert(!values.empty());
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

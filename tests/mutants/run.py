@@ -82,7 +82,7 @@ def drawn(count, seed, paths):
         if changed and len(mistakes) < count:
             text, place = random_numbers.choice(changed)
             names = tests[folder_of[file]]
-            command = f"ctest --no-tests=error --stop-on-failure -R '^({'|'.join(map(re.escape, names))})$'"
+            command = f"ctest --no-tests=error --stop-on-failure --output-on-failure -R '^({'|'.join(map(re.escape, names))})$'"
             mistakes[file, text] = Mistake("", file, text, command, names, "", *shown(source, *place))
     return sorted(mistakes.values())
 
@@ -147,10 +147,11 @@ def try_all(mistakes, copy):
     if not copy.builds(todo):
         fail(f"the project does not build: see {copy.folder}/log")
     # Without a mistake each test passes; else it would prove nothing that it fails with one. One that is skipped here proves nothing either.
-    statuses = {command: copy.status(command, copy.build) for command in sorted({m.command for m in todo})}
-    for command, status in statuses.items():
-        if status not in (0, 77):
-            fail(f"the test '{command}' fails without any mistake, with status {status}")
+    statuses = {}
+    for command in sorted({m.command for m in todo}):
+        statuses[command] = copy.status(command, copy.build)
+        if statuses[command] not in (0, 77):
+            fail(f"the test '{command}' fails without any mistake: see {copy.folder}/log")
     unchanged = {m.command: copy.programs(m) for m in todo}
     for m in todo:
         outcome = copy.outcome(m, unchanged[m.command]) if statuses[m.command] == 0 else "not tried: its test is skipped here"

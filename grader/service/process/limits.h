@@ -17,7 +17,7 @@ struct Limits {
 
 // Sets the limits of this process, irrevocably, and disables core files. Returns false if the
 // kernel refuses. Allocates nothing, so it may be called between fork and exec.
-bool set_limits(const Limits& limits);
+[[nodiscard]] bool set_limits(const Limits& limits);
 
 // True if this build uses AddressSanitizer, which reserves more address space than any limit.
 #if defined(__SANITIZE_ADDRESS__)
