@@ -15,6 +15,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -59,6 +60,11 @@ std::string kept_reason(const std::string& worker, std::uint64_t kept) {
     return "a call changes how the processor rounds or what it does with tiny numbers, and the "
            "next "
            "call is computed like that: change it back before you return, or leave it as it is";
+  }
+  if (kept == wire::kOtherAnswer) {
+    return "one of its first calls has another answer when it is made again at the end: it keeps "
+           "something "
+           "from one call to the next, and an answer may depend on the arguments alone";
   }
   const std::string name = variable_at(worker, kept - 1);
   return fmt::format(
@@ -145,6 +151,13 @@ int run(const Options& options, const char* program) {
   int count = 3;
   testing::InitGoogleTest(&count, arguments);
   const int failed = RUN_ALL_TESTS();
+  // A submission that breaks a promise has its sentence already.
+  const auto is_bonus = [](const grader::check::FailedPromise& each) {
+    return each.promise.ends_with("_bonus");
+  };
+  if (std::ranges::all_of(grader::check::failures(), is_bonus)) {
+    grader::wire::session().make_first_calls_again();
+  }
   const auto& test = *testing::UnitTest::GetInstance();
   if (!options.report.empty()) {
     grader::programs::write_report(options.report, test, session, grader::wire::session().record());

@@ -19,6 +19,9 @@ std::uint64_t kept_state();
 // In place of a place: a call has changed how the processor rounds, or what it does with tiny numbers, and has not changed it back.
 inline constexpr std::uint64_t kProcessorMode = std::numeric_limits<std::uint64_t>::max();
 
+// In place of a place: one of the first calls of the run, made again at its end, has another answer.
+inline constexpr std::uint64_t kOtherAnswer = kProcessorMode - 1;
+
 // That mode. The flags of what has happened are not in it.
 unsigned processor_mode();
 

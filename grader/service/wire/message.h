@@ -58,14 +58,16 @@ struct CallHead {
   std::uint64_t code = 0;      // of its signature
   CallBatch batch;
   std::optional<RadiancesAhead> ahead{};
-  bool forget = false;  // forget all earlier definitions
+  int others =
+      0;  // so many more of the same call; if an answer differs, it is the answer. Not of a function that draws numbers
   bool records =
       false;  // of each call of the batch, reply what it asked too (grader/explain/record.h)
   std::uint64_t definitions = 0;  // the number of definitions that follow
 };
 
-// Defines a scene, primitives or a tree, which is called `handle` from now on.
+// Defines a scene, primitives or a tree, which is called `handle` until the next one of its kind is defined.
 enum class ObjectKind { scene, primitives, bvh };
+inline constexpr std::size_t kObjectKinds = 3;
 struct Definition {
   Handle handle = 0;
   ObjectKind kind = ObjectKind::scene;
@@ -90,7 +92,7 @@ struct ReplyHead {
 
 FIRSTLIGHT_FIELDS(CallBatch, first, count, seed);
 FIRSTLIGHT_FIELDS(RadiancesAhead, values, numbers);
-FIRSTLIGHT_FIELDS(CallHead, function, code, batch, ahead, forget, records, definitions);
+FIRSTLIGHT_FIELDS(CallHead, function, code, batch, ahead, others, records, definitions);
 FIRSTLIGHT_FIELDS(Definition, handle, kind, content);
 FIRSTLIGHT_FIELDS(AskHead, function, code);
 FIRSTLIGHT_FIELDS(pt::Tested, boxes, triangles, spheres);

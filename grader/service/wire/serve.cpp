@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <ctime>
+#include <utility>
 
 namespace grader::wire {
 
@@ -78,6 +79,17 @@ void run(Reader& in, const CallHead& head, Writer& results) {
   in.expect_end();
   if (head.batch.count == 0) {
     put(results, apply<Signature>(Pointer, held));
+    if constexpr (!Signature::kDraws) {
+      for (int i = 0; i < head.others; ++i) {
+        Writer again;
+        put(again, apply<Signature>(Pointer, held));
+        if (again.bytes() != results.bytes()) {
+          results = std::move(again);
+          return;
+        }
+        tell_that_it_goes_on();
+      }
+    }
     if constexpr (Signature::kDraws) put(results, Signature::sampler(held));
     return;
   }
@@ -116,7 +128,6 @@ std::string serve(std::string_view call) {
   Reader in(call);
   const auto head = get<CallHead>(in);
   if (head.function >= kHandlers.size()) throw BadMessage("there is no such function");
-  if (head.forget) store().forget();
   for (std::uint64_t i = 0; i < head.definitions; ++i) store().define(get<Definition>(in));
 
   const auto function = static_cast<Function>(head.function);

@@ -3,12 +3,14 @@
 #include "grader/check/language/fail.h"
 #include "grader/service/wire/worker_process.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <vector>
 
 // The judge's end: the one conversation of a property program with a worker, restarted as needed.
@@ -97,6 +99,11 @@ class Session {
 
   SessionRecord record() const;
 
+  // Makes the first calls of each function again: once, or many times if it draws no numbers and does not
+  // ask the judge. Another answer is kept state (kOtherAnswer). build_bvh and the tasks that call radiance()
+  // are not asked.
+  void make_first_calls_again();
+
   // The answers so far no longer count for the limit.
   void count_answers_anew() { answered_before_ = answered(); }
 
@@ -114,8 +121,7 @@ class Session {
   std::chrono::nanoseconds slept() const;  // of all workers together; uncertain time is left out
   void keep_totals(results::Cause cause);  // of a worker that has ended
   void drop_known_definitions();
-  Writer message(Function function, std::uint64_t code, const CallBatch& batch,
-                 const Writer& arguments, bool records);
+  Writer message(const CallHead& head, std::string_view arguments);
   std::string converse(const Writer& call);
   void go_on();
   void take_head(Reader& reply, std::uint64_t code);
@@ -125,10 +131,21 @@ class Session {
   SessionRecord record_;
   std::unique_ptr<WorkerProcess> worker_;
   std::uint64_t sequence_ = 0;
-  std::set<Handle> known_;  // objects that the worker knows
-  std::size_t known_bytes_ = 0;
-  bool forget_ = false;              // the worker must forget all objects before this call
-  std::vector<Shared> definitions_;  // definitions that this call needs
+  std::array<Handle, kObjectKinds> known_{};  // the object of each kind that the worker knows
+  std::vector<Shared> definitions_;           // definitions that this call needs
+
+  struct Call {
+    CallHead head;
+    std::string arguments;
+    std::vector<Shared> definitions;
+    std::string result;
+  };
+  std::string answer_again(const Call& call, int others);
+  bool asks_ = false;  // the last call has asked the judge
+  // Of those that ask and those that do not, the first call of each function that has an answer of a size:
+  // one that is nothing, and one that is something.
+  std::map<std::tuple<bool, Function, std::size_t>, Call> first_calls_;
+
   std::map<const pt::Scene*, Shared> kept_;
   std::map<Handle, const pt::Scene*> scenes_;  // scenes of this call
   std::string reply_;

@@ -7,31 +7,26 @@ Store& store() {
   return instance;
 }
 
-void Store::define(const Definition& definition) {
+template <class Object>
+void Store::Place<Object>::take(const Definition& definition) {
   Reader in(definition.content);
-  switch (definition.kind) {
-    case ObjectKind::scene:
-      scenes_[definition.handle] = std::make_unique<pt::Scene>(get<pt::Scene>(in));
-      break;
-    case ObjectKind::primitives:
-      primitives_[definition.handle] = std::make_unique<pt::Primitives>(get<pt::Primitives>(in));
-      break;
-    case ObjectKind::bvh:
-      trees_[definition.handle] = std::make_unique<pt::Bvh>(get<pt::Bvh>(in));
-      break;
-  }
+  handle = definition.handle;
+  object.emplace(get<Object>(in));
 }
 
-void Store::forget() {
-  scenes_.clear();
-  primitives_.clear();
-  trees_.clear();
+void Store::define(const Definition& definition) {
+  switch (definition.kind) {
+    case ObjectKind::scene:
+      return scene_.take(definition);
+    case ObjectKind::primitives:
+      return primitives_.take(definition);
+    case ObjectKind::bvh:
+      return tree_.take(definition);
+  }
 }
 
 Handle Store::name(const pt::Scene& scene) const {
-  for (const auto& [handle, known] : scenes_) {
-    if (known.get() == &scene) return handle;
-  }
+  if (scene_.object && &scene == &*scene_.object) return scene_.handle;
   Writer content;
   put(content, scene);
   return content_hash(ObjectKind::scene, content.bytes());

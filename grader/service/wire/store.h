@@ -2,25 +2,24 @@
 
 #include "grader/service/wire/message.h"
 
-#include <map>
-#include <memory>
+#include <optional>
 
 // The worker's end: the objects that calls name.
 
 namespace grader::wire {
 
-// Objects that the judge has sent once and then names by handle, and the handles of objects.
+// The objects that the judge has sent, the last one of each kind, and their handles. An object takes the
+// place of the one before it: a task that remembers something of an object by its address remembers it of
+// the next one too.
 class Store {
  public:
   void define(const Definition& definition);
-  void forget();
 
   template <class Object>
   const Object& find(Handle handle) const {
-    const auto& objects = objects_of<Object>();
-    const auto found = objects.find(handle);
-    if (found == objects.end()) throw BadMessage("an unknown handle");
-    return *found->second;
+    const Place<Object>& place = place_of<Object>();
+    if (!place.object || place.handle != handle) throw BadMessage("an unknown handle");
+    return *place.object;
   }
 
   // The name of a scene that the judge has sent, or of an exact copy.
@@ -28,18 +27,23 @@ class Store {
 
  private:
   template <class Object>
-  using Objects = std::map<Handle, std::unique_ptr<const Object>>;
+  struct Place {
+    Handle handle = 0;
+    std::optional<Object> object;
+
+    void take(const Definition& definition);
+  };
 
   template <class Object>
-  const Objects<Object>& objects_of() const {
-    if constexpr (std::is_same_v<Object, pt::Scene>) return scenes_;
+  const Place<Object>& place_of() const {
+    if constexpr (std::is_same_v<Object, pt::Scene>) return scene_;
     if constexpr (std::is_same_v<Object, pt::Primitives>) return primitives_;
-    if constexpr (std::is_same_v<Object, pt::Bvh>) return trees_;
+    if constexpr (std::is_same_v<Object, pt::Bvh>) return tree_;
   }
 
-  Objects<pt::Scene> scenes_;
-  Objects<pt::Primitives> primitives_;
-  Objects<pt::Bvh> trees_;
+  Place<pt::Scene> scene_;
+  Place<pt::Primitives> primitives_;
+  Place<pt::Bvh> tree_;
 };
 
 // The store of this worker.

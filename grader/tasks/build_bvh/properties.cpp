@@ -74,7 +74,7 @@ void check_large_numbers(Check check, int most) {
   constexpr int kNoLimit = std::numeric_limits<int>::max();
   for (const auto& [boxes, max_leaf] :
        {Numbers{300, 255}, Numbers{300, 256}, Numbers{600, 257}, Numbers{300, kNoLimit},
-        Numbers{most, 1}, Numbers{66000, 65536}, Numbers{66000, 70000}}) {
+        Numbers{66000, 1}, Numbers{most, 65536}, Numbers{66000, 70000}}) {
     if (testing::Test::HasFailure()) return;
     for_all(
         [&, boxes = boxes, max_leaf = max_leaf] {

@@ -119,10 +119,10 @@ void touching(Battery& battery, RandomNumbers& make) {
 
 // More primitives and nodes than 16 bits can count. Queries that enter most of a tree are left out.
 void large_numbers(Battery& battery) {
-  for (const int place : {kFirstInGrid, kLastInGrid}) {
+  for (const auto& in_grid : {&first_in_grid, &last_in_grid}) {
     battery.ask([&]() -> Battery::Numbers {
       if (!is_quick_in_a_grid()) return {};
-      const AimedInGrid aimed{&large_grid(), place};
+      const AimedInGrid aimed = in_grid();
       const double occluded = flag(is_occluded(aimed));
       const auto hit = ask(aimed);
       if (!hit) return {occluded};

@@ -29,7 +29,7 @@ inline bool is_occluded(const AimedInGrid& aimed) {
 inline bool is_quick_in_a_grid() {
   constexpr std::size_t kFew = 200;
   forget_tests();
-  const AimedInGrid aimed{&small_grid(), kFirstInGrid};
+  const AimedInGrid aimed = first_in(small_grid());
   ask(aimed);
   is_occluded(aimed);
   return tested().boxes.size() + tested().spheres.size() < kFew;

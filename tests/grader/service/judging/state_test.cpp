@@ -87,6 +87,34 @@ TEST(state, that_is_kept_between_calls_is_found_wherever_it_is) {
   }
 }
 
+// Nothing looks into thread-local variables, but the first call of the run has another answer at its end.
+TEST(state, of_a_thread_is_found_if_it_changes_an_answer) {
+  const Insertion insertions[] = {
+      {"camera_ray", "camera_ray", "  thread_local int calls = 0;\n  ++calls;\n", "pass"},
+      {"hit_triangle", "hit_triangle",
+       "  thread_local int calls = 0;\n  if (++calls > 65536) return {};\n", "fail"},
+      {"hit_box", "hit_box",
+       "  thread_local unsigned short calls = 0;\n  if (++calls == 0) calls = 60000;\n"
+       "  if (calls >= 60000) return {};\n",
+       "fail"},
+  };
+  const Submission submission("thread");
+  std::vector<std::string> words{"--no-pictures"};
+  for (const Insertion& each : insertions) {
+    insert(submission, each.slug, each.function, each.lines);
+    words.emplace_back(each.slug);
+  }
+  const Outcome outcome = submission.grade(words);
+  for (const auto& [slug, function, lines, state] : insertions) {
+    const json& task = outcome.task(slug);
+    EXPECT_EQ(outcome.state(slug), state) << slug << " " << task.dump().substr(0, 2000);
+    EXPECT_EQ(task.at("keeps_state"), std::string(state) == "fail") << slug;
+    if (std::string(state) == "pass") continue;
+    const std::string reason = task.at("reason");
+    EXPECT_EQ(reason.find("one of its first calls has another answer"), 0U) << slug << reason;
+  }
+}
+
 // The next call, of this task or of another, would be computed in another way.
 TEST(state, of_the_processor_is_left_as_it_was) {
   const Insertion insertions[] = {
