@@ -75,4 +75,13 @@ WildRadiances wild_radiances(RandomNumbers& random) {
   return made;
 }
 
+WildRadiances rarely_bright(RandomNumbers& random) {
+  WildRadiances made = wild_radiances(random);
+  made.kind =
+      by_chance(random, 0.5) ? WildRadiances::Kind::rarely_lit : WildRadiances::Kind::spikes;
+  made.share = by_size(random, 1e-3, 1e-2);
+  made.bright = by_size(random, 1e2, 1e6);
+  return made;
+}
+
 }  // namespace grader::check

@@ -23,4 +23,8 @@ struct WildRadiances {
 
 WildRadiances wild_radiances(RandomNumbers& random);
 
+// The same with few values that are far brighter than the others: what leaves them out, or makes them
+// less, changes the mean.
+WildRadiances rarely_bright(RandomNumbers& random);
+
 }  // namespace grader::check

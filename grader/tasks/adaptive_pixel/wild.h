@@ -20,8 +20,10 @@ class WildPixel : public WildInput {
 
   // The judge's own mock answers radiance(), so that it has the record.
   Explanations ask(int n, std::uint64_t seed) const override {
-    constexpr int kMaxValues = 4000;  // then the last one again
-    Case c{radiances_.values(std::min(settings_.max_samples, kMaxValues)), "", settings_, {}};
+    constexpr int kMost = std::numeric_limits<int>::max(),
+                  kMaxValues = 4000;  // then the last one again
+    const int values = settings_.max_samples == kMost ? kMaxValues : settings_.max_samples;
+    Case c{radiances_.values(values), "", settings_, {}};
     c.width = c.height = 16;
     c.x = static_cast<int>(seed % 16);
     Explanations all;
@@ -75,7 +77,13 @@ inline WildPointer any_pixel(RandomNumbers& random) {
   s.batch = by_chance(random, 0.3) ? random.whole(2, 5) : static_cast<int>(by_size(random, 2, 100));
   s.tolerance = by_size(random, 1e-3, 1);
   s.max_samples = s.batch + static_cast<int>(by_size(random, 1, 800));
-  if (by_chance(random, 0.002)) s.max_samples = 20000;
+  if (by_chance(random, 0.01)) {
+    radiances = rarely_bright(random);
+    s.tolerance = std::min(s.tolerance, 0.02);
+    const bool longest = by_chance(random, 0.1);
+    s.max_samples =
+        static_cast<int>(longest ? by_size(random, 8000, 60000) : by_size(random, 800, 8000));
+  }
   if (by_chance(random, 0.1)) {
     radiances.kind =
         random.whole(0, 1) == 0 ? WildRadiances::Kind::constant : WildRadiances::Kind::uniform;

@@ -221,6 +221,7 @@ void run_battery(Battery& battery) {
   too_wide(battery, make);
   many(battery, make);
   large_numbers(battery);
+  ask(battery, boxes_in({.flat = 1}, make), 1, 2);
 }
 
 }  // namespace grader::mistakes

@@ -174,8 +174,8 @@ void signs(Battery& battery) {
   });
 }
 
-void sampler(Battery& battery) {
-  const Situation s = patch().rectangle(kAbove, kRadiance, Body::surface).done();
+void sampler(Battery& battery, const Rectangle& lamp) {
+  const Situation s = patch().rectangle(lamp, kRadiance, Body::surface).done();
   battery.ask([&] {
     return use_of_sampler([&](pt::Sampler& sampler) {
       return numbers(pt::direct_hemisphere(s.scene, s.point, 4, sampler));
@@ -191,7 +191,7 @@ void run_battery(Battery& battery) {
   samples(battery);
   scales(battery);
   brightness(battery);
-  sampler(battery);
+  sampler(battery, kAbove);
   glowing_front(battery);
   skies_beside_lights(battery);
   backs(battery);
@@ -201,6 +201,7 @@ void run_battery(Battery& battery) {
   lit_at_the_horizon(battery);
   far_from_the_origin(battery);
   signs(battery);
+  sampler(battery, kAbove.scaled(-1));  // below the horizon: no light is found
 }
 
 }  // namespace grader::mistakes

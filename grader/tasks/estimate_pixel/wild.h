@@ -6,6 +6,7 @@
 #include "grader/tasks/estimate_pixel/inputs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 // Calls of estimate_pixel that are explained one by one.
@@ -54,8 +55,15 @@ class WildPixel : public WildInput {
 };
 
 inline WildPointer any_pixel(RandomNumbers& random) {
-  const int samples = by_chance(random, 0.0015) ? 40000 : static_cast<int>(by_size(random, 1, 300));
-  return std::make_shared<WildPixel>(wild_radiances(random), samples);
+  // Few calls are long, of any length, half of them of a round one.
+  double samples =
+      by_chance(random, 0.1) ? by_size(random, 6000, 60000) : by_size(random, 600, 6000);
+  if (by_chance(random, 0.5)) samples = 64 * std::round(samples / 64);
+  if (by_chance(random, 0.01)) {
+    return std::make_shared<WildPixel>(rarely_bright(random), static_cast<int>(samples));
+  }
+  samples = by_size(random, 1, 300);
+  return std::make_shared<WildPixel>(wild_radiances(random), static_cast<int>(samples));
 }
 
 inline Explanations usual_calls(std::uint64_t seed) {

@@ -140,6 +140,11 @@ void points(Battery& battery, RandomNumbers& make) {
   }
 }
 
+// A box a billion across, so far away and with so short a direction that t is 1e22.
+void farthest(Battery& battery, RandomNumbers& make) {
+  ask(battery, at_a_box(make, some_box(make, 1e9), 1e-9 * kAlong, 1e22));
+}
+
 }  // namespace
 
 void run_battery(Battery& battery) {
@@ -154,6 +159,7 @@ void run_battery(Battery& battery) {
   far_away(battery, make);
   almost_parallel(battery, make);
   points(battery, make);
+  farthest(battery, make);
 }
 
 }  // namespace grader::mistakes

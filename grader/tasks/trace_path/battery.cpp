@@ -197,6 +197,7 @@ void run_battery(Battery& battery) {
   no_red(battery);
   many_light_samples(battery);
   sampler(battery, round);
+  sampler(battery, sunny);
 }
 
 }  // namespace grader::mistakes
