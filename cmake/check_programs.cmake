@@ -23,7 +23,19 @@ function(firstlight_add_check_program slug implementation)
   firstlight_link_properties(${program} ${slug} ${implementation})
 endfunction()
 
-# The implementation `sanitized` is the learner's file under sanitizers. All else is linked as it is, so that it takes seconds.
+# check.<slug>.<implementation> with the learner's file, compiled with further options; these are also for the linker. All else is linked as
+# it is, so that it takes seconds.
+function(firstlight_add_learners_check_program slug implementation options)
+  get_target_property(source ${slug}.student SOURCES)
+  add_library(${slug}.${implementation} OBJECT EXCLUDE_FROM_ALL ${source})
+  firstlight_depend_on_text(${source} ${source}) # once more: a property of a file is that of one folder
+  target_link_libraries(${slug}.${implementation} PRIVATE firstlight_options)
+  target_compile_options(${slug}.${implementation} PRIVATE ${options} ${ARGN})
+  firstlight_add_check_program(${slug} ${implementation} EXCLUDE_FROM_ALL)
+  target_link_options(check.${slug}.${implementation} PRIVATE ${options})
+endfunction()
+
+# The implementation `sanitized` is the learner's file under sanitizers; `covered` counts how often each of its lines runs.
 function(firstlight_add_check_programs)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/grader)
   foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
@@ -36,13 +48,8 @@ function(firstlight_add_check_programs)
       firstlight_add_check_program(${slug} submission EXCLUDE_FROM_ALL)
     endif()
     if(TARGET ${slug}.student AND NOT FIRSTLIGHT_SANITIZE)
-      get_target_property(source ${slug}.student SOURCES)
-      add_library(${slug}.sanitized OBJECT EXCLUDE_FROM_ALL ${source})
-      firstlight_depend_on_text(${source} ${source}) # once more: a property of a file is that of one folder
-      target_link_libraries(${slug}.sanitized PRIVATE firstlight_options)
-      target_compile_options(${slug}.sanitized PRIVATE ${FIRSTLIGHT_SANITIZERS} ${FIRSTLIGHT_LIBRARY_CHECKS} -O1 -g1)
-      firstlight_add_check_program(${slug} sanitized EXCLUDE_FROM_ALL)
-      target_link_options(check.${slug}.sanitized PRIVATE ${FIRSTLIGHT_SANITIZERS})
+      firstlight_add_learners_check_program(${slug} sanitized "${FIRSTLIGHT_SANITIZERS}" ${FIRSTLIGHT_LIBRARY_CHECKS} -O1 -g1)
+      firstlight_add_learners_check_program(${slug} covered --coverage -O0)
     endif()
   endforeach()
 endfunction()

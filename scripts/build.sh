@@ -61,7 +61,7 @@ has_settings() {
 nothing_to_do() { ninja -C "$build/$1" -n "${@:2}" 2>/dev/null | grep -q 'no work to do'; }
 
 # compile_learners_files TARGET...: succeeds if these targets do, or may do.
-compile_learners_files() { case " $* " in *student* | *.sanitized* | *' render '*) ;; *) return 1 ;; esac; }
+compile_learners_files() { case " $* " in *student* | *.sanitized* | *.covered* | *' render '*) ;; *) return 1 ;; esac; }
 
 # is_newest PRESET TARGET...: succeeds if what the targets compile of the learner's files was compiled from their text of now.
 is_newest() { ! compile_learners_files "${@:2}" || bash "$root/scripts/ninja.sh" --check "$build/$1"; }

@@ -28,6 +28,7 @@ firstlight_script_test(run_setup rest commands/run_setup.sh)
 firstlight_script_test(newest_text rest commands/newest_text.sh ARGUMENTS ${PROJECT_BINARY_DIR})
 firstlight_script_test(run_refuses quick commands/run_refuses.sh)
 firstlight_script_test(mixtures quick commands/mixtures.sh)
+firstlight_script_test(coverage quick commands/coverage.sh)
 if(FIRSTLIGHT_SANITIZE)  # some of the programs are not built then
   return()
 endif()

@@ -21,6 +21,7 @@ refuses "'1.3 7' is unknown: write tasks like hit_triangle" grade 1.3 7 --from=r
 refuses "--from takes student or reference" grade hit_triangle --from
 refuses "--from takes student or reference" grade --from theirs hit_triangle
 refuses "--seed takes a whole number" grade hit_triangle --from student --seed one
+refuses "--coverage counts how often the lines of your own files run" grade hit_triangle --from reference --coverage
 refuses "--html cannot be used with --from" grade hit_triangle --from student --html page.html
 refuses "there is no 'nosuch'; ./run help lists the commands" nosuch
 refuses "say which task" debug
