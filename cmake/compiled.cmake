@@ -6,14 +6,14 @@
 # The archives that the programs link; the objects of some are listed in grade.json and by the write-up.
 set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_render_options pt_rows pt_progress scene_meshes
   grader_tasks grader_base grader_process grader_users grader_sandbox grader_results grader_door grader_pictures grader_recipe_scenes
-  grader_worker_rows grader_report grader_audit grader_build grader_judging grader_submitted grader_mistakes grader_closed_forms grader_explain grader_check grader_counting
+  grader_worker_rows grader_report grader_audit grader_build grader_judging grader_submitted grader_mistakes grader_examples grader_closed_forms grader_explain grader_check grader_counting
   grader_wire measure_charts measure_renders measure_scene measure_scene_options measure_pixels_here measure_calls_tasks)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render pt_rows scene_meshes
   grader_tasks grader_closed_forms measure_renders measure_scene measure_scene_options measure_pixels_here measure_calls_tasks)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
-  grader_worker grader_connection grader_serve recorder_calls view_calls view_paths view_worker_main
+  grader_worker grader_connection grader_serve examples_runner recorder_calls view_calls view_paths view_worker_main
   measure_render_main measure_scene_main measure_calls_worker measure_calls_pixels)
-set(compiled_programs grader/grade grader/hint grader/watch grader/box grader/box_probe grader/flatten grader/graded_picture pt/compare
+set(compiled_programs grader/grade grader/grade_examples grader/hint grader/watch grader/box grader/box_probe grader/flatten grader/graded_picture pt/compare
   scenes/generate view/view measure/measure measure/stability measure/writeup_boxed measure/accuracy_boxed writeup/writeup)
 foreach(slug IN LISTS FIRSTLIGHT_COUNTED)
   list(APPEND compiled_objects ${slug}.counting)
@@ -25,7 +25,7 @@ foreach(slug IN LISTS FIRSTLIGHT_MOCKED)
   list(APPEND compiled_objects ${slug}.mock)
 endforeach()
 foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
-  list(APPEND compiled_objects properties.${slug} ${slug}.repeat)
+  list(APPEND compiled_objects properties.${slug} ${slug}.repeat ${slug}.mistakes)
   list(APPEND compiled_programs grader/graded.${slug})
   if(EXISTS ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/curves.cpp)
     list(APPEND compiled_programs measure/stability.${slug})
@@ -156,6 +156,9 @@ function(firstlight_add_compiled)
     if(place MATCHES "^grader/(box|flatten)")
       add_dependencies(grade ${program})
     endif()
+    if(place MATCHES "^grader/box")
+      add_dependencies(grade_examples ${program})
+    endif()
     firstlight_gather(${program})
   endforeach()
   foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
@@ -166,5 +169,6 @@ function(firstlight_add_compiled)
   if(FIRSTLIGHT_TESTS)
     firstlight_add_check_programs()
     firstlight_write_grade_json()
+    firstlight_write_examples_json()
   endif()
 endfunction()

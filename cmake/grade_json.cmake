@@ -82,3 +82,26 @@ function(firstlight_write_grade_json)
 }
 ")
 endfunction()
+
+# examples.json, also there: what `grade_examples` needs besides. `solutions` has the objects of all solutions of each task; the target
+# examples.<slug> builds them. A handout has them compiled, if they fit.
+function(firstlight_write_examples_json)
+  firstlight_ours_handed_on(libraries examples_runner pt_rows)
+  firstlight_json_objects(grade_examples framework ${libraries})
+  set(solutions)
+  foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+    add_custom_target(examples.${slug})
+    set(objects "[]")
+    if(TARGET ${slug}.mistakes)
+      firstlight_json_objects(examples.${slug} objects ${slug}.mistakes)
+    endif()
+    list(APPEND solutions "\"${slug}\": ${objects}")
+  endforeach()
+  string(JOIN ",\n  " solutions ${solutions})
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/grader/examples.json CONTENT "{
+ \"framework\": ${framework},
+ \"solutions\": {
+  ${solutions}}
+}
+")
+endfunction()

@@ -59,45 +59,54 @@ function(firstlight_make_mistakes)
 endfunction()
 
 # known.<slug>: the file known.<slug>.json next to the programs of the grader, with which mistakes are named. An edition has no
-# mistakes, but this file in grader/known/. The target `graded` has the files of all tasks.
+# mistakes, but this file in grader/known/, and solutions.<slug>.txt. The target `graded` has the files of all tasks.
 function(firstlight_add_known slug)
   set(brought ${PROJECT_SOURCE_DIR}/grader/known/known.${slug}.json)
+  set(table ${PROJECT_SOURCE_DIR}/grader/known/solutions.${slug}.txt)
   if(FIRSTLIGHT_MISTAKES_${slug})
     firstlight_add_fingerprints(${slug})
   else()
     add_custom_target(known.${slug})
     if(EXISTS ${brought})
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${brought})
-      file(COPY ${brought} DESTINATION ${PROJECT_BINARY_DIR}/grader)
+      file(COPY ${brought} ${table} DESTINATION ${PROJECT_BINARY_DIR}/grader)
     endif()
   endif()
   firstlight_gather(known.${slug})
 endfunction()
 
-# mistakes.<slug>: a worker that contains all mistakes and right solutions of a task, and acts as the one by whose name it is
+# mistakes.<slug>: a worker that contains all mistakes and right solutions of a task, and acts as the one by whose number it is
 # called. The mistakes' answers to the battery of the task are their fingerprints, in known.<slug>.json next to the programs
 # of the grader. A mistake that answers like a right solution is left out, and so are guards, which have no hint.
+# solutions.<slug>.txt, also there, says what each number is: a name, and the promise that it breaks, or `right`.
 function(firstlight_add_fingerprints slug)
   set(includes)
   set(code)
   set(spaces)
+  set(solutions)
+  set(number 0)
   file(GLOB rights RELATIVE ${PROJECT_SOURCE_DIR}/grader/tasks/${slug} ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/right/*.cpp)
   foreach(name IN LISTS FIRSTLIGHT_MISTAKES_${slug} rights)
     set(path ${FIRSTLIGHT_MISTAKES}/${slug}/${name}/${slug}.cpp)
     if(name IN_LIST rights)
       set(path ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/${name})
       string(REGEX REPLACE "right/(.*)[.]cpp" "right.\\1" name ${name})
+      set(breaks right)
     else()
       file(STRINGS ${path} hint REGEX "^// hint: ")
       if(NOT hint)
         continue()
       endif()
+      file(STRINGS ${path} breaks REGEX "^// breaks: ")
+      string(REGEX REPLACE "^// breaks: " "" breaks "${breaks}")
     endif()
     file(STRINGS ${path} lines REGEX "^#include ")
     list(APPEND includes ${lines})
-    string(MAKE_C_IDENTIFIER "in_${name}" space)
+    set(space in_${number})
+    math(EXPR number "${number} + 1")
+    string(APPEND solutions "${name} ${breaks}\n")
     string(APPEND code "namespace ${space} {\nusing namespace ::pt;\nFIRSTLIGHT_CALLS_${slug}(DECLARE, DECLARE)\n}\n#define pt ${space}\n#include \"${path}\"\n#undef pt\n")
-    string(APPEND spaces " \\\n  MISTAKE(\"${name}\", ${space}, WORD)")
+    string(APPEND spaces " \\\n  MISTAKE(${space}, WORD)")
   endforeach()
   list(REMOVE_DUPLICATES includes)
   list(SORT includes)
@@ -122,10 +131,12 @@ function(firstlight_add_fingerprints slug)
     -fsanitize=return -fsanitize-undefined-trap-on-error)
   firstlight_worker(mistakes.${slug} ${slug} mistakes)
   set(known ${PROJECT_BINARY_DIR}/grader/known.${slug}.json)
+  set(table ${PROJECT_BINARY_DIR}/grader/solutions.${slug}.txt)
+  file(CONFIGURE OUTPUT ${table} CONTENT "${solutions}" @ONLY)
   add_custom_command(OUTPUT ${known} VERBATIM
     COMMAND know --graded $<TARGET_FILE:graded.${slug}> --reference $<TARGET_FILE:worker.${slug}>
-      --all $<TARGET_FILE:mistakes.${slug}> --right-solutions ${rights} --made ${FIRSTLIGHT_MISTAKES}/${slug} --out ${known}
-    DEPENDS know graded.${slug} worker.${slug} mistakes.${slug}
+      --all $<TARGET_FILE:mistakes.${slug}> --solutions ${table} --made ${FIRSTLIGHT_MISTAKES}/${slug} --out ${known}
+    DEPENDS know graded.${slug} worker.${slug} mistakes.${slug} ${table}
     COMMENT "Asking the known mistakes of ${slug}")
   add_custom_target(known.${slug} DEPENDS ${known})
 endfunction()

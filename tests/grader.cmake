@@ -28,6 +28,9 @@ endforeach()
 
 firstlight_script_test(course_attacks rest grader/door/attacks.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
 
+# Learners' examples of tasks.
+firstlight_script_test(examples quick grader/examples/examples.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS grade_examples examples.hit_sphere)
+
 firstlight_library(example_results grader/report/example_results.cpp)
 target_link_libraries(example_results PUBLIC grader_platforms)
 firstlight_test(test_report quick PATHS LIBRARIES example_results GTest::gmock SOURCES

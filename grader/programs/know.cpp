@@ -5,6 +5,7 @@
 #include "grader/base/parallel.h"
 #include "grader/mistakes/known.h"
 #include "grader/mistakes/naming.h"
+#include "grader/mistakes/solutions.h"
 #include "grader/service/process/run_command.h"
 #include "grader/service/sandbox/box.h"
 #include "pt/command_line.h"
@@ -26,10 +27,9 @@ using namespace grader;
 struct Options {
   std::string graded;     // the program that runs the battery: graded.<slug>
   std::string reference;  // a worker with the reference
-  std::string
-      all;  // a worker that acts as the mistake, or right solution, by whose name it is called
-  std::string made;                 // the folder of the mistakes' files
-  std::vector<std::string> rights;  // right/textbook.cpp ...
+  std::string all;        // a worker that acts as the solution by whose number it is called
+  std::string solutions;  // solutions.<slug>.txt
+  std::string made;       // the folder of the mistakes' files
   std::string out;
 };
 
@@ -68,14 +68,25 @@ int run(const Options& options) {
     return ask(options, folder / name);
   };
   const auto threads = static_cast<int>(std::thread::hardware_concurrency());
+  const std::vector<mistakes::Solution> solutions = mistakes::read_solutions(options.solutions);
+  const auto ask_number = [&](std::size_t number) {
+    return ask_named(options.all, std::to_string(number));
+  };
+  const auto ask_mistake = [&](const std::string& name) {
+    const auto found = std::ranges::find(solutions, name, &mistakes::Solution::name);
+    if (found == solutions.end()) throw pt::Error(options.solutions + " does not name " + name);
+    return ask_number(static_cast<std::size_t>(found - solutions.begin()));
+  };
   mistakes::KnownTask known{ask_named(options.reference, "reference"), mistakes_in(options.made)};
   base::for_each(known.mistakes.size(), threads, [&](std::size_t i) {
-    known.mistakes[i].answers = ask_named(options.all, known.mistakes[i].name);
+    known.mistakes[i].answers = ask_mistake(known.mistakes[i].name);
   });
-  std::vector<mistakes::Answers> right(options.rights.size());
-  base::for_each(right.size(), threads, [&](std::size_t i) {
-    right[i] = ask_named(options.all, "right." + fs::path(options.rights[i]).stem().string());
-  });
+  std::vector<std::size_t> rights;
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    if (solutions[i].is_right()) rights.push_back(i);
+  }
+  std::vector<mistakes::Answers> right(rights.size());
+  base::for_each(right.size(), threads, [&](std::size_t i) { right[i] = ask_number(rights[i]); });
   std::erase_if(known.mistakes, [&](const mistakes::Fingerprint& print) {
     return std::ranges::any_of(right,
                                [&](const auto& answers) { return agree(print.answers, answers); });
@@ -94,7 +105,8 @@ int main(int argc, char** argv) {
   app.add_option("--reference", options.reference, "a worker with the reference")->required();
   app.add_option("--all", options.all, "a worker with all mistakes and right solutions")
       ->required();
-  app.add_option("--right-solutions", options.rights, "the files of these: right/textbook.cpp");
+  app.add_option("--solutions", options.solutions, "what each number of that worker is")
+      ->required();
   app.add_option("--made", options.made, "the folder of their files")->required();
   app.add_option("--out", options.out, "the file to write")->required();
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });

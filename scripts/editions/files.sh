@@ -32,10 +32,10 @@ expect_stubs() {
   done
 }
 
-# copy_known BUILD FOLDER: copies the fingerprints of known mistakes, which the build has made.
+# copy_known BUILD FOLDER: copies what the build has made of the known mistakes: their fingerprints, and a list of them.
 copy_known() {
   mkdir "$2/grader/known"
-  cp "$1"/grader/known.*.json "$2/grader/known"
+  cp "$1"/grader/known.*.json "$1"/grader/solutions.*.txt "$2/grader/known"
 }
 
 # copy_files FOLDER: copies the files that standard input lists.

@@ -130,7 +130,7 @@ grep -q 'two.zip: 12 files' "$folder/said" && grep -q 'the table, of: --no-pictu
 mkdir ../unpacked
 (cd ../unpacked && cmake -E tar xf ../two.zip)
 has ../unpacked/graded.txt 'the table, of: --no-pictures'
-diff <(cd ../unpacked && find . -type f ! -name graded.txt | sort) <(cd student && find . -mindepth 2 -name '*.cpp' ! -name hit_box_2.cpp | sort) ||
+diff <(cd ../unpacked && find . -type f ! -name graded.txt | sort) <(cd student && find . -mindepth 2 -name '*.cpp' ! -name '*.examples.cpp' ! -name hit_box_2.cpp | sort) ||
   complain "other files are handed in"
 has ../unpacked/1_rays/hit_triangle.cpp mine
 refuses 'the archive has to be a .zip' ./run submit mine.rar

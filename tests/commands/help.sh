@@ -17,6 +17,7 @@ bless grader/bless
 cheapest measure/accuracy.reference cheapest
 compare pt/compare
 converge measure/accuracy.reference converge
+examples grader/grade_examples
 grade grader/grade
 grade-class grader/grade_class
 hint grader/hint

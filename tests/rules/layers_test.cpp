@@ -25,10 +25,10 @@ using Rooms = std::vector<std::string>;
 const Rooms kCore{"grader/base",    "grader/results",  "grader/door",
                   "grader/explain", "grader/check",    "grader/mistakes",
                   "grader/tasks",   "grader/pictures", "grader/report"};
-const Rooms kService{
-    "grader/service/process",   "grader/service/sandbox", "grader/service/wire",
-    "grader/service/audit",     "grader/service/build",   "grader/service/judging",
-    "grader/service/platforms", "grader/service/intake",  "grader/service/classes"};
+const Rooms kService{"grader/service/process", "grader/service/sandbox",   "grader/service/wire",
+                     "grader/service/audit",   "grader/service/build",     "grader/service/judging",
+                     "grader/examples",        "grader/service/platforms", "grader/service/intake",
+                     "grader/service/classes"};
 const Rooms kMeasure{"measure/charts", "measure/renders", "measure/scene", "measure/calls",
                      "measure/failure"};
 const std::string kWriteup = "writeup";
@@ -76,8 +76,8 @@ const std::map<std::string, std::string> kNamespaces{{"grader", "grader"},
                                                      {"measure/failure", "measure::failure"}};
 
 // The folders of pt/, from the bottom up.
-const std::vector<std::string> kRenderer{"math",  "sampling", "geometry", "accel",
-                                         "scene", "tasks",    "image",    "render"};
+const std::vector<std::string> kRenderer{"math",  "sampling", "geometry", "accel",   "scene",
+                                         "tasks", "image",    "render",   "examples"};
 
 // The only includes upwards: the renderer calls tasks, whose contracts mention its scenes.
 const std::map<std::string, std::set<std::string>> kCallsOfTasks{
@@ -89,6 +89,7 @@ const std::map<std::string, std::set<std::string>> kCallsOfTasks{
 const std::map<std::string, std::string> kElsewhere{
     {"grader/service/wire/call.h", "grader::check"},
     {"grader/service/wire/implementation.cpp", "pt"},
+    {"grader/examples/runner.cpp", "pt"},
     {"view/worker/paths.cpp", "pt"},
     {"measure/calls/serve.cpp", "grader::wire"}};
 

@@ -281,4 +281,16 @@ std::string audit(string_view bytes, const std::set<std::string>& contract, cons
   }
 }
 
+std::string runs_early(string_view bytes) {
+  try {
+    for (const ObjectSection& section : read_object(bytes).sections) {
+      if (begins(section.name, ".init_array.") || begins(section.name, ".rela.init_array."))
+        return "it has a constructor with a priority, which no file needs";
+    }
+    return "";
+  } catch (const pt::Error& error) {
+    return std::string("the compiled object is not accepted: ") + error.what();
+  }
+}
+
 }  // namespace grader::audit

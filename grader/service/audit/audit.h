@@ -21,4 +21,7 @@ std::set<std::string> functions_in(std::string_view object);
 // box, not this check, confines a worker.
 std::string audit(std::string_view object, const std::set<std::string>& contract, const Task& task);
 
+// Returns one sentence if code of the object runs before that of other objects, although it is linked after them; else empty.
+std::string runs_early(std::string_view object);
+
 }  // namespace grader::audit

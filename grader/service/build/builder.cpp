@@ -67,6 +67,19 @@ std::set<std::string> contract_of(const TaskConfig& task) {
   return functions;
 }
 
+// Examples of a task may call it, what pt/examples/example.h declares, and all that any task may call of the renderer; build_bvh makes
+// the trees that other tasks get.
+Task rules_of_examples(Task task) {
+  for (const Task& each : tasks()) {
+    task.framework.insert(task.framework.end(), each.framework.begin(), each.framework.end());
+  }
+  for (const std::string& function : task.functions) task.framework.push_back("pt::" + function);
+  for (const char* name :
+       {"build_bvh", "example", "examples::add", "examples::expect", "examples::near"})
+    task.framework.push_back(std::string("pt::") + name);
+  return task;
+}
+
 }  // namespace
 
 Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
@@ -130,14 +143,14 @@ process::CommandResult Builder::run(const sandbox::Box& box, const std::string& 
   return result;
 }
 
-std::string Builder::object_key(const TaskConfig& task, const std::string& text,
+std::string Builder::object_key(const std::string& file, const std::string& text,
                                 const Headers& headers) const {
   // A header that the task may not include cannot affect it.
   std::string seen;
   for (const auto& [name, content] : headers) {
     seen += name + '\0' + (content == headers_.at(name) ? header_hashes_.at(name) : "") + '\0';
   }
-  return base::sha256(toolchain_ + seen + task.file() + '\0' + text);
+  return base::sha256(toolchain_ + seen + file + '\0' + text);
 }
 
 std::string Builder::folder_of(const Headers& headers) const {
@@ -151,7 +164,8 @@ std::string Builder::folder_of(const Headers& headers) const {
 }
 
 sandbox::Box Builder::compiler_box(const ToolFolder& place, const TaskConfig& task,
-                                   const std::string& text, const std::string& tree) const {
+                                   const std::string& file, const std::string& text,
+                                   const std::string& tree) const {
   sandbox::Box box = tool_box(place);
   box.visible.push_back(tree);
   add(box, config_.compile_flags);
@@ -161,13 +175,31 @@ sandbox::Box Builder::compiler_box(const ToolFolder& place, const TaskConfig& ta
   if (!precompiled.empty()) box.visible.push_back(precompiled_.folder());
   // An object contains no path of this machine, not even in the text of a failed assertion.
   add(box, {"-I" + tree, "-fmacro-prefix-map=" + tree + "/=", "-fdiagnostics-color=never", "-c",
-            task.file(), "-o", "task.o"});
+            file, "-o", "task.o"});
   return box;
 }
 
 Built Builder::compile(const TaskConfig& task, const std::string& text) const {
-  const Headers headers = headers_for(task_of(task.slug), headers_);
-  const std::string key = object_key(task, text, headers);
+  const Task& rules = task_of(task.slug);
+  return compile_file(task, rules, task.file(), text, [&](const std::string& object) {
+    return audit::audit(object, contract_of(task), rules);
+  });
+}
+
+Built Builder::compile_examples(const TaskConfig& task, const std::string& text) const {
+  const Task rules = rules_of_examples(task_of(task.slug));
+  const std::string file = task.part + '/' + task.slug + ".examples.cpp";
+  return compile_file(task, rules, file, text, [&](const std::string& object) {
+    const std::string early = audit::runs_early(object);
+    return early.empty() ? audit::audit(object, {}, rules) : early;
+  });
+}
+
+Built Builder::compile_file(const TaskConfig& task, const Task& rules, const std::string& file,
+                            const std::string& text,
+                            const std::function<std::string(const std::string&)>& audit) const {
+  const Headers headers = headers_for(rules, headers_);
+  const std::string key = object_key(file, text, headers);
   const std::string path = cache_ + "/" + key + ".o";
   const std::string warnings_path = cache_ + "/" + key + ".warnings";
   if (fs::exists(path)) {
@@ -177,15 +209,15 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   }
   const std::string tree = folder_of(headers);
   const ToolFolder place(pt::temporary_name(cache_ + "/" + key + ".tree"));
-  place.put(task.file(), text);
-  sandbox::Box box = compiler_box(place, task, text, tree);
+  place.put(file, text);
+  sandbox::Box box = compiler_box(place, task, file, text, tree);
   const auto compiled = [&] {
     process::CommandResult result = run(box, task.slug);
     result.output = in_project(result.output, tree, precompiled_.folder());
     return result;
   };
   process::CommandResult result = compiled();
-  const std::string warnings = warnings_of(result.output, task.file());
+  const std::string warnings = warnings_of(result.output, file);
   if (result.ok() && warnings.find(kNoReturn) != std::string::npos) {
     box.command.insert(box.command.end(), kTrapFlags.begin(), kTrapFlags.end());
     result = compiled();
@@ -195,7 +227,7 @@ Built Builder::compile(const TaskConfig& task, const std::string& text) const {
   if (!object.present || !object.rejected.empty()) {
     return {"", key, "", "the compiled object is not accepted: " + object.rejected, ""};
   }
-  const std::string reason = audit::audit(object.text, contract_of(task), task_of(task.slug));
+  const std::string reason = audit(object.text);
   if (!reason.empty()) return {"", key, "", reason, ""};
   if (!warnings.empty()) pt::write_file(warnings_path, warnings);
   pt::write_file(path, audit::with_state_marked(object.text));

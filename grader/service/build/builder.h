@@ -6,7 +6,9 @@
 #include "grader/service/build/tool_folder.h"
 #include "grader/service/process/run_command.h"
 #include "grader/service/sandbox/box.h"
+#include "grader/tasks.h"
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -34,6 +36,10 @@ class Builder {
   // Compiles `text` as the file part/slug.cpp of a tree that contains nothing else but the headers.
   Built compile(const TaskConfig& task, const std::string& text) const;
 
+  // Compiles `text` as the file part/slug.examples.cpp: a learner's examples of the task. They may call the task, and what
+  // pt/examples/example.h declares.
+  Built compile_examples(const TaskConfig& task, const std::string& text) const;
+
   // Links a worker: the framework, and `objects` with one definition of every task. `key` stands for
   // the content of these objects. `recorded`: the calls of tasks that can be recorded go through the
   // recorder (pt/scene/recorder.h).
@@ -45,14 +51,20 @@ class Builder {
   // Copies of the objects that do not depend on any submission.
   std::string folder_of_parts() const;
   // A hash of everything that an object of the task depends on.
-  std::string object_key(const TaskConfig& task, const std::string& text,
+  std::string object_key(const std::string& file, const std::string& text,
                          const Headers& headers) const;
   // A folder with these headers.
   std::string folder_of(const Headers& headers) const;
   sandbox::Box tool_box(const ToolFolder& place) const;
   // `tree`: the folder of the headers.
   sandbox::Box compiler_box(const ToolFolder& place, const TaskConfig& task,
-                            const std::string& text, const std::string& tree) const;
+                            const std::string& file, const std::string& text,
+                            const std::string& tree) const;
+  // Compiles `text` as that file of a tree. `rules` says what it may include; `audit` returns why the object is not accepted, or
+  // nothing.
+  Built compile_file(const TaskConfig& task, const Task& rules, const std::string& file,
+                     const std::string& text,
+                     const std::function<std::string(const std::string&)>& audit) const;
   process::CommandResult run_linker(const ToolFolder& place, const Paths& objects,
                                     bool recorded) const;
   // Throws pt::Error if the reference does not link either. The linker's output does not show whose

@@ -204,6 +204,7 @@ std::vector<std::string> notes_on_others(const Tree& tree, const fs::path& folde
   std::vector<std::string> notes;
   for (const fs::path& other : tree.others) {
     const std::string name = other.filename(), slug = named_task(name, tasks);
+    if (name.ends_with(".examples.cpp")) continue;  // examples of a task (./run examples)
     if (is_packed(name)) {
       notes.push_back(
           fmt::format("'{}' cannot be unpacked here, and does not count", shown(other, folder)));

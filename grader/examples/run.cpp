@@ -1,0 +1,109 @@
+#include "grader/examples/run.h"
+
+#include "grader/base/descriptor.h"
+#include "grader/base/printable.h"
+#include "grader/base/wrap.h"
+#include "grader/service/process/run_command.h"
+#include "pt/error.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <unistd.h>
+
+namespace grader::examples {
+
+namespace {
+
+// Far more than any file has.
+constexpr std::size_t kMaxExamples = 1000;
+
+constexpr process::Limits kLimits{
+    .cpu_seconds = 30,
+    .address_space = std::uint64_t{1} << 30,
+    .file_size = 0,
+    .processes = 0,
+    .open_files = 16,
+};
+
+process::CommandResult start(const Program& program, const std::string& input) {
+  base::Pipe pipe = base::make_pipe();
+  // A pipe takes this much at once.
+  if (write(pipe.write_end.number(), input.data(), input.size()) < 0) {
+    throw pt::Error("the numbers of the examples cannot be written to a pipe");
+  }
+  pipe.write_end.close();
+  sandbox::Box box{{program.path}, {"LANG=C.UTF-8"}, {}, {}, "", false, kLimits};
+  box.descriptors = {pipe.read_end.number()};
+  return process::run_command(sandbox::boxed(box, program.tier), program.most);
+}
+
+// Reads the lines of the program. Returns the example that was running at its end, if one was.
+std::optional<std::size_t> read_lines(const std::string& output, Run& run) {
+  std::vector<std::string> names;
+  std::optional<std::size_t> running;
+  for (const std::string& line : base::lines_of(output)) {
+    std::istringstream words(line);
+    std::string word, rest;
+    words >> word >> std::ws;
+    std::getline(words, rest);
+    rest = base::printable(rest, 300);
+    if (word == "example" && names.size() < kMaxExamples) names.push_back(rest);
+    if (names.size() > run.names.size()) {
+      run.names = names;
+      run.outcomes.resize(names.size());
+    }
+    if (word == "runs") {
+      const std::size_t number = std::strtoul(rest.c_str(), nullptr, 10);
+      if (number < run.outcomes.size()) running = number;
+    } else if (running && word == "holds") {
+      run.outcomes[*running] = {Outcome::Kind::holds, "", std::atoi(rest.c_str())};
+      running.reset();
+    } else if (running && word == "fails") {
+      run.outcomes[*running] = {Outcome::Kind::fails, rest};
+      running.reset();
+    } else if (word == "todo") {
+      run.todo.push_back(rest);
+    }
+  }
+  return running;
+}
+
+std::string numbers(const std::vector<std::size_t>& all) {
+  std::string text;
+  for (const std::size_t number : all) text += std::to_string(number) + ' ';
+  return text;
+}
+
+}  // namespace
+
+Run run_examples(const Program& program, std::optional<std::size_t> solution,
+                 const std::optional<std::vector<std::size_t>>& only) {
+  Run run;
+  std::vector<std::size_t> left;
+  if (only) {
+    left = *only;
+  } else {
+    for (std::size_t i = 0; i < kMaxExamples; ++i) left.push_back(i);
+  }
+  while (true) {
+    const std::string first = solution ? std::to_string(*solution) + '\n' : "";
+    const process::CommandResult result = start(program, first + numbers(left));
+    const std::optional<std::size_t> running = read_lines(result.output, run);
+    if (!running) {
+      if (run.names.empty() && !result.ok())
+        run.fault = result.timed_out ? "it does not end" : process::describe_status(result.status);
+      return run;
+    }
+    Outcome& outcome = run.outcomes[*running];
+    if (result.timed_out) {
+      outcome = {Outcome::Kind::too_long, "it does not end"};
+      return run;
+    }
+    outcome = {Outcome::Kind::ends,
+               "the program ended while it ran (" + process::describe_status(result.status) + ")"};
+    left.erase(left.begin(), std::ranges::upper_bound(left, *running));
+  }
+}
+
+}  // namespace grader::examples
