@@ -190,7 +190,7 @@ Explanation explain_lights(const pt::Scene& scene, const pt::Tracer& exact,
       return {Fault::structure, "takes_the_samples_asked_for",
               count_of(light.draws, "draw") + " of " + name_of(scene.lights[i], i) + " for " +
                   count_of(samples, "sample"),
-              count_of(asked, "draw") + " of each light that can be seen"};
+              count_of(asked, "draw") + " of each light that may bring light"};
     }
     if (light.draws > 0) sum += light.sum / light.draws;
   }

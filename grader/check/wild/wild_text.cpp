@@ -12,14 +12,14 @@ using Kind = WildLight::Kind;
 
 std::string text_of(const WildLight& light) {
   const std::string at = brief(light.at), radiance = brief(light.radiance);
-  const std::string glow =
-      fmt::format("radiance {}{}\n", radiance, light.has_body ? ", and a surface" : "");
+  const std::string glow = fmt::format("radiance {}{}\n", radiance,
+                                       light.has_body ? ", and its surface is in the scene" : "");
   switch (light.kind) {
     case Kind::rectangle:
-      return fmt::format("rectangle light at {}, sides {} {}, {}", at, brief(light.u),
+      return fmt::format("rectangle light around {}, sides {} {}, {}", at, brief(light.u),
                          brief(light.v), glow);
     case Kind::ball:
-      return fmt::format("ball of light at {}, radius {}, {}", at, brief(light.radius), glow);
+      return fmt::format("ball of light around {}, radius {}, {}", at, brief(light.radius), glow);
     case Kind::cube:
       return fmt::format("closed mesh light: a cube around {}, edges {} {}, {}", at, brief(light.u),
                          brief(light.v), glow);
@@ -54,10 +54,15 @@ std::string text_of(const WildRoom& room) {
 }  // namespace
 
 std::string text_of(const WildScene& scene) {
-  std::string text = fmt::format(
-      "here the point is at (0, 0, 0) and its normal along z; the test scales this by {}, rotates "
-      "it, and moves it by {}\nthe point is on a triangle of side {}",
-      brief(scene.size), brief(scene.size * scene.away), brief(scene.side));
+  std::string text = "here the point is at (0, 0, 0) and its normal along z";
+  const bool is_moved = scene.size != 1 || length(scene.away) > 0;
+  if (is_moved) {
+    text += fmt::format("; the test scales this by {}, rotates it, and moves it by {}",
+                        brief(scene.size), brief(scene.size * scene.away));
+  } else if (scene.up.z != 1) {
+    text += "; the test rotates this";
+  }
+  text += fmt::format("\nthe point is on a triangle of side {}", brief(scene.side));
   if (scene.true_normal.z != 1)
     text += fmt::format(", whose true normal is {}", brief(scene.true_normal));
   text += "\n";
