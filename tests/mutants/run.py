@@ -105,8 +105,11 @@ class Copy:
             try:
                 return child.wait(None if "ninja" in command or "cmake" in command else SECONDS)
             except subprocess.TimeoutExpired:
-                os.killpg(child.pid, signal.SIGKILL)
-                return child.wait()
+                return -signal.SIGKILL
+            finally:  # also if we are interrupted
+                if child.poll() is None:
+                    os.killpg(child.pid, signal.SIGKILL)
+                    child.wait()
 
     def targets(self, mistake):
         return sorted({target for name in mistake.targets for target in self.needs.get(name, [name])})
