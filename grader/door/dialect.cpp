@@ -49,7 +49,14 @@ std::map<std::string, std::string> broken_in(const std::string& printed) {
 
 results::Failure failure_of(const std::string& what, const std::string& replay) {
   results::Failure failure;
-  failure.got = what;
+  // The answer, and the lines of the input behind it.
+  std::size_t end = what.find("; ");
+  failure.got = what.substr(0, end);
+  while (end != what.npos) {
+    const std::size_t begin = end + 2;
+    end = what.find("; ", begin);
+    failure.input.push_back(what.substr(begin, end == what.npos ? end : end - begin));
+  }
   failure.expected = "what the promise says";
   failure.replay = replay;
   return failure;

@@ -167,9 +167,11 @@ TEST(Dialect, has_promises_of_its_own_that_the_adapter_says_are_broken) {
   ASSERT_EQ(kept.promises.size(), 1U);
   EXPECT_EQ(kept.promises[0].name, name);
   EXPECT_TRUE(kept.promises[0].held);
-  const auto broken = judged(dialect, "hit_triangle", "mine\n\nnot kept: " + name + ": a: ray\n");
+  const auto broken =
+      judged(dialect, "hit_triangle", "mine\n\nnot kept: " + name + ": yes; Box 1; Ray 2\n");
   EXPECT_FALSE(broken.promises.at(0).held);
-  EXPECT_EQ(broken.promises.at(0).failures.at(0).got, "a: ray");
+  EXPECT_EQ(broken.promises.at(0).failures.at(0).got, "yes");
+  EXPECT_THAT(broken.promises.at(0).failures.at(0).input, testing::ElementsAre("Box 1", "Ray 2"));
   EXPECT_EQ(without_notes("mine\nnot kept: a: b\nyours\n"), "mine\nyours\n");
   EXPECT_EQ(without_notes("\nnot kept: a: b\n"), "");
 }
