@@ -58,7 +58,7 @@ void translate(const Dialect& dialect, results::TaskResult& task);
 void settle_own(const Dialect& dialect, const std::string& printed, const std::string& replay,
                 results::TaskResult& task);
 
-// What a task printed, without the lines of the adapter.
+// The text that a task printed, without the lines of the adapter.
 std::string without_notes(const std::string& printed);
 
 // Marks the mistake that the judge has named if it is a cause of the dialect: then it costs one promise.
