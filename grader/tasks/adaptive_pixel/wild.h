@@ -80,9 +80,9 @@ inline WildPointer any_pixel(RandomNumbers& random) {
   if (by_chance(random, 0.01)) {
     radiances = rarely_bright(random);
     s.tolerance = std::min(s.tolerance, 0.02);
-    const bool longest = by_chance(random, 0.1);
+    const bool longest = by_chance(random, 0.05);
     s.max_samples =
-        static_cast<int>(longest ? by_size(random, 8000, 60000) : by_size(random, 800, 8000));
+        static_cast<int>(longest ? by_size(random, 6000, 60000) : by_size(random, 800, 6000));
   }
   if (by_chance(random, 0.1)) {
     radiances.kind =
