@@ -190,7 +190,7 @@ PROMISE(hit_bvh, finds_any_hit) {
         expect_few_tests(c, tested_by(c, true));
       },
       6);
-  for_large_numbers({first_in_grid, last_in_the_largest_grid}, [](const AimedInGrid& aimed) {
+  for_large_numbers({first_in_grid, last_in_grid}, [](const AimedInGrid& aimed) {
     expect(is_occluded(aimed), "in the way: " + aim_of(aimed), "nothing in the way");
   });
 }
