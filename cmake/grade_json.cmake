@@ -83,6 +83,25 @@ function(firstlight_write_grade_json)
 ")
 endfunction()
 
+# ordinary.<slug>.txt, also there: the mistakes that ordinary inputs show, that is, in 1 % of them or more. The examples in
+# grader/tasks/<slug>/ordinary catch these. An edition has this file in grader/known.
+function(firstlight_add_ordinary slug)
+  set(made ${PROJECT_BINARY_DIR}/grader/ordinary.${slug}.txt)
+  set(folder ${PROJECT_SOURCE_DIR}/grader/tasks/${slug}/ordinary)
+  set(brought ${PROJECT_SOURCE_DIR}/grader/known/ordinary.${slug}.txt)
+  if(EXISTS ${folder})
+    add_custom_command(OUTPUT ${made} VERBATIM
+      COMMAND grade_examples ${slug} --submission ${folder} --caught ${made}
+      DEPENDS grade_examples ${folder}/${slug}.examples.cpp $<TARGET_OBJECTS:${slug}.mistakes>
+      COMMENT "Asking the known mistakes of ${slug} ordinary inputs")
+    add_custom_target(ordinary.${slug} DEPENDS ${made})
+    add_dependencies(examples.${slug} ordinary.${slug})
+    add_dependencies(graded ordinary.${slug})  # for a handout
+  elseif(EXISTS ${brought})
+    file(COPY ${brought} DESTINATION ${PROJECT_BINARY_DIR}/grader)
+  endif()
+endfunction()
+
 # examples.json, also there: what `grade_examples` needs besides. `solutions` has the objects of all solutions of each task; the target
 # examples.<slug> builds them. A handout has them compiled, if they fit.
 function(firstlight_write_examples_json)
@@ -96,6 +115,7 @@ function(firstlight_write_examples_json)
       firstlight_json_objects(examples.${slug} objects ${slug}.mistakes)
     endif()
     list(APPEND solutions "\"${slug}\": ${objects}")
+    firstlight_add_ordinary(${slug})
   endforeach()
   string(JOIN ",\n  " solutions ${solutions})
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/grader/examples.json CONTENT "{

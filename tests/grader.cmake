@@ -30,6 +30,13 @@ firstlight_script_test(course_attacks rest grader/door/attacks.py ARGUMENTS ${PR
 
 # Learners' examples of tasks.
 firstlight_script_test(examples quick grader/examples/examples.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS grade_examples examples.hit_sphere)
+set(needed)
+file(GLOB good RELATIVE ${tests}/fixtures/examples/good ${tests}/fixtures/examples/good/*.cpp)
+foreach(file IN LISTS good)
+  string(REPLACE ".examples.cpp" "" slug ${file})
+  list(APPEND needed examples.${slug})
+endforeach()
+firstlight_script_test(good_examples rest grader/examples/good_files.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS grade_examples ${needed})
 
 firstlight_library(example_results grader/report/example_results.cpp)
 target_link_libraries(example_results PUBLIC grader_platforms)

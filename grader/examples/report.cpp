@@ -63,11 +63,13 @@ struct Share {
   std::size_t caught = 0, all = 0;
 };
 
-// The share of the mistakes that break the promise and are caught; of all mistakes if it is empty.
-Share share_of(const Verdicts& verdicts, const std::string& promise) {
+// The share of the mistakes that break the promise (of all mistakes if it is empty) and are caught.
+Share share_of(const Verdicts& verdicts, const std::string& promise, bool ordinary) {
   Share share;
   for (std::size_t m = 0; m < verdicts.mistakes.size(); ++m) {
-    if (!promise.empty() && verdicts.mistakes[m].breaks != promise) continue;
+    const mistakes::Solution& mistake = verdicts.mistakes[m];
+    if (mistake.is_ordinary != ordinary || (!promise.empty() && mistake.breaks != promise))
+      continue;
     ++share.all;
     share.caught += verdicts.caught[m].empty() ? 0 : 1;
   }
@@ -77,7 +79,7 @@ Share share_of(const Verdicts& verdicts, const std::string& promise) {
 std::string promises_text(const Verdicts& verdicts, const Texts& texts) {
   std::string rows, question;
   for (const results::Promise& promise : texts.promises) {
-    const Share share = share_of(verdicts, promise.name);
+    const Share share = share_of(verdicts, promise.name, true);
     if (share.all == 0) continue;
     rows += fmt::format("  {:48} {:2} of {}\n", promise.title, share.caught, share.all);
     if (share.caught == 0 && question.empty() && !promise.bonus)
@@ -90,11 +92,16 @@ std::string promises_text(const Verdicts& verdicts, const Texts& texts) {
 std::string catch_text(const Verdicts& verdicts, const Texts& texts) {
   const std::size_t valid = verdicts.valid().size();
   if (valid == 0) return "\nNo example is valid yet, so none is tried on wrong solutions.\n";
-  const Share all = share_of(verdicts, "");
-  return fmt::format("\nThe {} of {} wrong solutions, by the promise that they break:\n{}",
-                     valid == 1 ? fmt::format("valid example catches {}", all.caught)
-                                : fmt::format("{} valid examples catch {}", valid, all.caught),
-                     all.all, promises_text(verdicts, texts));
+  const Share bar = share_of(verdicts, "", true), rare = share_of(verdicts, "", false);
+  const std::string more =
+      rare.all == 0 ? ""
+                    : fmt::format("\nThey also catch {} of {} that only rare inputs show.\n",
+                                  rare.caught, rare.all);
+  return fmt::format("\nThe {} of {} wrong solutions{}, by the promise that they break:\n{}{}",
+                     valid == 1 ? fmt::format("valid example catches {}", bar.caught)
+                                : fmt::format("{} valid examples catch {}", valid, bar.caught),
+                     bar.all, rare.all == 0 ? "" : " that ordinary inputs show",
+                     promises_text(verdicts, texts), more);
 }
 
 }  // namespace

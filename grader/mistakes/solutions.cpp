@@ -3,6 +3,8 @@
 #include "pt/error.h"
 #include "pt/file.h"
 
+#include <filesystem>
+#include <set>
 #include <sstream>
 
 namespace grader::mistakes {
@@ -21,6 +23,14 @@ std::vector<Solution> read_solutions(const std::string& path) {
     all.push_back(std::move(solution));
   }
   return all;
+}
+
+void mark_ordinary(std::vector<Solution>& solutions, const std::string& path) {
+  if (!std::filesystem::exists(path)) return;
+  std::set<std::string> ordinary;
+  std::istringstream names(pt::read_file(path));
+  for (std::string name; names >> name;) ordinary.insert(name);
+  for (Solution& solution : solutions) solution.is_ordinary = ordinary.contains(solution.name);
 }
 
 }  // namespace grader::mistakes

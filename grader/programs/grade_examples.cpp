@@ -31,6 +31,7 @@ struct Options {
   std::vector<std::string> tasks;
   std::string submission = "student";
   std::string config;
+  std::string caught;  // a file for the names of the mistakes that are caught
 };
 
 // All that judges: two builders, because a program of examples has another main program than a worker.
@@ -105,6 +106,14 @@ bool judge_own(const Judge& judge, const build::TaskConfig& task, const Options&
          std::ranges::all_of(verdicts.valid(), passes);
 }
 
+std::string names_of_caught(const examples::Verdicts& verdicts) {
+  std::string names;
+  for (std::size_t m = 0; m < verdicts.mistakes.size(); ++m) {
+    if (!verdicts.caught[m].empty()) names += verdicts.mistakes[m].name + '\n';
+  }
+  return names;
+}
+
 // Returns whether all is right.
 bool judge_task(const Judge& judge, const build::TaskConfig& task, const Options& options) {
   const std::string name = task.slug + ".examples";
@@ -124,8 +133,9 @@ bool judge_task(const Judge& judge, const build::TaskConfig& task, const Options
     fmt::print("{} does not compile:\n{}\n", path, problem_of(program));
     return false;
   }
-  const auto solutions =
+  auto solutions =
       mistakes::read_solutions(fmt::format("{}/solutions.{}.txt", judge.programs, task.slug));
+  mistakes::mark_ordinary(solutions, fmt::format("{}/ordinary.{}.txt", judge.programs, task.slug));
   const auto threads = static_cast<int>(std::thread::hardware_concurrency());
   const examples::Verdicts verdicts =
       examples::judge({program.path, judge.isolation.tier}, solutions, threads);
@@ -134,6 +144,12 @@ bool judge_task(const Judge& judge, const build::TaskConfig& task, const Options
                verdicts.fault.empty() ? "it has no EXAMPLE"
                                       : "it ends before its first example: " + verdicts.fault);
     return false;
+  }
+  if (!options.caught.empty()) {
+    if (verdicts.valid().size() < verdicts.examples.size())
+      throw pt::Error(path + ": a right solution does not agree: " + to_text(verdicts, {}));
+    pt::write_file(options.caught, names_of_caught(verdicts));
+    return true;
   }
   fmt::print("{}", to_text(verdicts, examples::texts_of(judge.config.root, task.slug)));
   std::fflush(stdout);
@@ -179,5 +195,6 @@ int main(int argc, char** argv) {
                  "the folder with <task>.examples.cpp, as the tree of student/")
       ->check(CLI::ExistingDirectory);
   app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+  app.add_option("--caught", options.caught)->group("");  // for the build (cmake/grade_json.cmake)
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

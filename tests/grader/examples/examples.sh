@@ -13,16 +13,17 @@ says() {
   local words
   for words in "$@"; do grep -qF -- "$words" "$folder/said" || complain "without '$words': $(cat "$folder/said")"; done
 }
-# caught: how many wrong solutions the last command caught.
-caught() { sed -nE 's/^The .*valid examples? catch(es)? ([0-9]+) of .*/\2/p' "$folder/said"; }
+# caught: how many of the ordinary mistakes the last command caught: 3 of 18.
+caught() { sed -nE 's/^The .*valid examples? catch(es)? ([0-9]+ of [0-9]+) wrong.*/\2/p' "$folder/said"; }
 
-expect 0 '13 examples, held against' "$judge" hit_sphere --submission $files/good
-[ "$(grep -c '^  valid ' "$folder/said")" -eq 13 ] || complain "an example that follows from the contract is not valid: $(cat "$folder/said")"
+expect 0 '15 examples, held against' "$judge" hit_sphere --submission $files/good
+[ "$(grep -c '^  valid ' "$folder/said")" -eq 15 ] || complain "an example that follows from the contract is not valid: $(cat "$folder/said")"
 good=$(caught)
 expect 0 'No example of yours looks at "finds the near side":' "$judge" 1.4 --submission $files/weak
 says 'How many points does a line have in common with a sphere'
 weak=$(caught)
-{ [ "$good" -ge 20 ] && [ "$weak" -le 3 ]; } || complain "good examples catch $good, weak ones $weak"
+{ [ "${good% of*}" -eq "${good#*of }" ] && [ "${good% of*}" -gt 15 ] && [ "${weak% of*}" -le 3 ]; } ||
+  complain "of the ordinary mistakes good examples catch $good, weak ones $weak"
 expect 1 '  wrong       t is a distance: no right solution agrees: hit->t is 1, where you expect 2' "$judge" hit_sphere --submission $files/wrong
 says '  wrong       seen from inside' '  valid       right' '  empty       to be written' 'The valid example catches'
 expect 1 '  too strict  touching is a miss' "$judge" hit_sphere --submission $files/strict
@@ -48,9 +49,9 @@ cp $files/good/hit_sphere.examples.cpp "$folder"
 cp student/1_rays/hit_sphere.cpp "$folder"
 expect 0 'Your own hit_sphere is not written yet.' "$judge" hit_sphere --submission "$folder"
 cp build/mistakes/hit_sphere/normal_inwards/hit_sphere.cpp "$folder"
-expect 1 'Your own hit_sphere fails 7 of your 13 valid examples' "$judge" hit_sphere --submission "$folder"
+expect 1 'Your own hit_sphere fails 7 of your 15 valid examples' "$judge" hit_sphere --submission "$folder"
 cp reference/1_rays/hit_sphere.cpp "$folder"
-expect 0 'Your own hit_sphere passes your 13 valid examples.' "$judge" hit_sphere --submission "$folder"
+expect 0 'Your own hit_sphere passes your 15 valid examples.' "$judge" hit_sphere --submission "$folder"
 
 # Every stub has an example that is valid.
 expect 0 '  valid       ' ./run examples hit_sphere
