@@ -7,6 +7,7 @@
 #include "pt/error.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 #include <unistd.h>

@@ -118,7 +118,7 @@ std::optional<RadiancesAhead> radiances_ahead(const SessionSettings& settings) {
 
 // The scripted radiances of a call are gone at the end of the run, and any tree is right.
 bool can_be_asked_again(const SessionSettings& settings, Function function) {
-  return !settings.integrated && !answers(settings.task, Function::radiance) &&
+  return settings.answers && !settings.integrated && !answers(settings.task, Function::radiance) &&
          function != Function::build_bvh;
 }
 
