@@ -47,4 +47,5 @@ firstlight_script_test(autograder long commands/autograder.sh ${build} NEEDS gra
 firstlight_script_test(mutants long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants TIMEOUT 7200)
 firstlight_script_test(drawn_mutants long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants --draw 200 TIMEOUT 14400)
 firstlight_script_test(small_changes long mutants/small_changes.py ARGUMENTS ${PROJECT_BINARY_DIR} TIMEOUT 28800)
+firstlight_script_test(arms long mutants/arms.py ARGUMENTS ${PROJECT_BINARY_DIR} TIMEOUT 7200)
 firstlight_script_test(adding_a_task long commands/adding_a_task.sh ARGUMENTS ${PROJECT_BINARY_DIR}/../adding_a_task)

@@ -246,4 +246,5 @@ def main():
     sys.exit(1 if escapes else 0)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -42,6 +42,13 @@ inline void rectangle(SceneMaker& maker) {
   maker.rectangle(*rectangle_above(1.2, 0.1, 1.5), any_radiance(), Body::none);
 }
 
+// A light whose sides are far from right angles. All of it is above the horizon.
+inline void parallelogram(SceneMaker& maker) {
+  Rectangle shape = *rectangle_above(0.5, 0.5, 0.6);
+  shape.v += *rc::gen::element(-1.0, 1.0) * *real(0.9, 1.2) * shape.u;
+  maker.rectangle(shape, any_radiance(), Body::none);
+}
+
 // A rectangle with sides down to a ten-thousandth of its distance, up to a thousand units away.
 inline void small_rectangle(SceneMaker& maker) {
   const Rectangle shape = (*rectangle_above(1.2, 0.5, 1.5)).scaled(*magnitude(1e-1, 1e3));

@@ -30,6 +30,7 @@ PROMISE(direct_lights, matches_a_rectangle) {
     for_all([=] { expect_estimate(*lit_without_surfaces(rectangle, size), 1); }, 1);
   }
   for_all([] { expect_estimate(*lit_by(small_rectangle), any_samples()); }, 5);
+  for_all([] { expect_estimate(*lit_by(parallelogram), any_samples()); }, 5);
   for (const bool narrow_u : {true, false}) {
     for_all([=] { expect_independent_sides(narrow_u); }, 1);
   }

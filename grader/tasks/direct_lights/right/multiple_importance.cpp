@@ -21,8 +21,11 @@ Found find(const RectangleLight& light, Vec3 p, Vec3 wi) {
   if (!(cos_light > 0)) return {};
   const double distance = dot(p - light.center, light.n) / cos_light;
   const Vec3 q = p + distance * wi - light.center;
-  const bool inside = std::abs(dot(q, light.u)) <= 0.5 * length_squared(light.u) &&
-                      std::abs(dot(q, light.v)) <= 0.5 * length_squared(light.v);
+  // q = a u + b v; the sides need not be at right angles.
+  const Vec3 sides = cross(light.u, light.v);
+  const double a = dot(cross(q, light.v), sides) / length_squared(sides);
+  const double b = dot(cross(light.u, q), sides) / length_squared(sides);
+  const bool inside = std::abs(a) <= 0.5 && std::abs(b) <= 0.5;
   if (!(distance > 0) || !inside) return {};
   const double area = length(cross(light.u, light.v));
   return {distance, light.radiance, distance * distance / (cos_light * area)};
