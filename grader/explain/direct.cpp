@@ -31,9 +31,9 @@ constexpr double kCosine = 3e-6;
 
 constexpr const char* kSampler = "draws_from_the_sampler_alone";
 
-// Shadow rays of many programs end at 1 - kCutOff of the way to the light. Where the offset at their start is longer than the rest, the
-// light's own surface may hide it.
-constexpr double kCutOff = 5e-5;
+// Shadow rays of many programs end a ten-thousandth of the way before the light. Far from the world's origin, the offset at their start moves
+// them sideways, and a surface of the light that is met at a small angle may hide it: offsets longer than this part of the way.
+constexpr double kCutOff = 5e-7;
 
 // A call may draw so many numbers of its own, between those of its lights.
 constexpr int kMostOwn = 100'000;
