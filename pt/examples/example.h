@@ -18,7 +18,7 @@
 //   }
 //
 // EXPECT(condition)                              the condition holds
-// NEAR(value, expected)                          two numbers, vectors or colours agree to 1e-6 of their size
+// NEAR(value, expected)                          two numbers or vectors agree to 1e-6 of their size, or two colours to 1e-5
 // NEAR(value, expected, give_or_take)            no component differs by more than that
 // MEAN(draws, call, expected, give_or_take)      the mean of so many calls, which may use the Sampler `sampler`
 //

@@ -67,7 +67,7 @@ std::set<std::string> contract_of(const TaskConfig& task) {
   return functions;
 }
 
-// Examples of a task may call it, what pt/examples/example.h declares, and all that any task may call of the renderer; build_bvh makes
+// Examples of a task may call it, what pt/examples/ declares, and all that any task may call of the renderer; build_bvh makes
 // the trees that other tasks get.
 Task rules_of_examples(Task task) {
   for (const Task& each : tasks()) {
@@ -75,7 +75,7 @@ Task rules_of_examples(Task task) {
   }
   for (const std::string& function : task.functions) task.framework.push_back("pt::" + function);
   for (const char* name :
-       {"build_bvh", "example", "examples::add", "examples::expect", "examples::near"})
+       {"build_bvh", "example", "scenes", "examples::add", "examples::expect", "examples::near"})
     task.framework.push_back(std::string("pt::") + name);
   return task;
 }

@@ -37,7 +37,7 @@ class Builder {
   Built compile(const TaskConfig& task, const std::string& text) const;
 
   // Compiles `text` as the file part/slug.examples.cpp: a learner's examples of the task. They may call the task, and what
-  // pt/examples/example.h declares.
+  // pt/examples/ declares.
   Built compile_examples(const TaskConfig& task, const std::string& text) const;
 
   // Links a worker: the framework, and `objects` with one definition of every task. `key` stands for
