@@ -8,8 +8,8 @@ using namespace pt;
 // Three spheres of radius 1 on the z axis, and a tree over them.
 const Primitives row{{}, {{{0, 0, 0}, 1}, {{0, 0, -5}, 1}, {{0, 0, -10}, 1}}};
 static Bvh tree_over(const Primitives& primitives, int max_leaf) {
-  std::vector<Box> boxes;
-  for (int i = 0; i < primitives.size(); ++i) boxes.push_back(bounds(primitives, i));
+  std::vector<Box> boxes(static_cast<std::size_t>(primitives.size()));
+  for (int i = 0; i < primitives.size(); ++i) boxes[i] = bounds(primitives, i);
   return build_bvh(boxes, max_leaf);
 }
 
