@@ -163,6 +163,7 @@ bool may_be_rendered(const std::vector<std::string>& asked, const std::string& s
 // it is.
 std::optional<intake::TakenIn> taken_in(const build::Config& config, const GradeOptions& options) {
   if (!options.is_named) return std::nullopt;
+  if (options.require_isolation) isolation(config, options);  // it refuses before anything is read
   return std::optional<intake::TakenIn>(std::in_place, config, options.submission,
                                         options.require_isolation);
 }
