@@ -19,14 +19,6 @@ namespace {
 // Far more than any file has.
 constexpr std::size_t kMaxExamples = 1000;
 
-constexpr process::Limits kLimits{
-    .cpu_seconds = 30,
-    .address_space = std::uint64_t{1} << 30,
-    .file_size = 0,
-    .processes = 0,
-    .open_files = 16,
-};
-
 process::CommandResult start(const Program& program, const std::string& input) {
   base::Pipe pipe = base::make_pipe();
   // A pipe takes this much at once.
@@ -34,7 +26,7 @@ process::CommandResult start(const Program& program, const std::string& input) {
     throw pt::Error("the numbers of the examples cannot be written to a pipe");
   }
   pipe.write_end.close();
-  sandbox::Box box{{program.path}, {"LANG=C.UTF-8"}, {}, {}, "", false, kLimits};
+  sandbox::Box box = sandbox::box_of_functions(program.path, 30);
   box.descriptors = {pipe.read_end.number()};
   return process::run_command(sandbox::boxed(box, program.tier), program.most);
 }

@@ -41,8 +41,7 @@ struct Program {
 };
 
 // Runs these examples (by their numbers; all if `only` is empty) with the solution of that number, or with the one that is linked if
-// there is no number. An example that ends the program fails, and the run goes on with the next one; after one that takes too long it
-// does not.
+// there is no number. An example that ends the program fails, and the next one runs. After an example that takes too long, no other runs.
 Run run_examples(const Program& program, std::optional<std::size_t> solution,
                  const std::optional<std::vector<std::size_t>>& only = {});
 

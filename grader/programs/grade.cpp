@@ -126,7 +126,7 @@ std::vector<std::string> asked_for(const build::Config& config, const GradeOptio
 // Writes the task files of a submission to a folder; what is there already stays as it is, so that it need not
 // be compiled again.
 int take_to(const build::Config& config, const GradeOptions& options) {
-  const intake::TakenIn taken(config, options.submission, options.require_isolation);
+  const intake::TakenIn taken(config, options.submission);
   for (const build::TaskConfig& task : config.tasks) {
     const base::Submitted file = base::read_submitted(taken.folder(), task.part, task.slug);
     const std::string problem = file.present ? file.rejected : "it is not in the submission";
@@ -163,9 +163,7 @@ bool may_be_rendered(const std::vector<std::string>& asked, const std::string& s
 // it is.
 std::optional<intake::TakenIn> taken_in(const build::Config& config, const GradeOptions& options) {
   if (!options.is_named) return std::nullopt;
-  if (options.require_isolation) isolation(config, options);  // it refuses before anything is read
-  return std::optional<intake::TakenIn>(std::in_place, config, options.submission,
-                                        options.require_isolation);
+  return std::optional<intake::TakenIn>(std::in_place, config, options.submission);
 }
 
 // Prints the names of the programs, one per line, for ./run, which builds only these.
@@ -244,6 +242,7 @@ int run(Words words) {
     options.programs = only_named;
     report::check_targets(options.files);
   }
+  if (options.require_isolation) isolation(config, options);  // it refuses before anything is read
   if (options.programs) return name_programs(config, options);
   if (!options.take_to.empty()) return take_to(config, options);
   const auto taken = taken_in(config, options);

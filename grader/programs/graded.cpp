@@ -63,8 +63,7 @@ std::string kept_reason(const std::string& worker, std::uint64_t kept) {
   }
   if (kept == wire::kOtherAnswer) {
     return "one of its first calls has another answer when it is made again at the end: it keeps "
-           "something "
-           "from one call to the next, and an answer may depend on the arguments alone";
+           "something from one call to the next, and an answer may depend on the arguments alone";
   }
   const std::string name = variable_at(worker, kept - 1);
   return fmt::format(

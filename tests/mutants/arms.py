@@ -19,27 +19,23 @@ import sys
 import tempfile
 import textwrap
 
-from small_changes import ROOT, Task
+from reasons import ANY_FILE, ROOT, entries
+from small_changes import Task
 
 TABLE = ROOT / "tests/mutants/arms.txt"
 CALLS = 1000  # of which one has to take an arm
 
 
-def reasons():
+def reasons_of_arms():
     """The (file, line) that arms.txt has a reason for, and the expressions."""
-    found, everywhere, base, why = set(), [], "", ""
-    for number, text in enumerate(TABLE.read_text().splitlines(), 1):
-        if text.startswith("== "):
-            base, why = text[3:], ""
-        elif text.startswith("- "):
-            if not why:
-                sys.exit(f"{TABLE}:{number}: write the reason above it")
-            if base == "any file":
-                everywhere.append(re.compile(text[2:]))
-            else:
-                found.add((base, text[2:]))
-        elif not text.startswith("#"):
-            why = text
+    found, everywhere = set(), []
+    for number, base, why, _, text in entries(TABLE):
+        if not why:
+            sys.exit(f"{TABLE}:{number}: write the reason above it")
+        if base == ANY_FILE:
+            everywhere.append(re.compile(text))
+        else:
+            found.add((base, text))
     return found, everywhere
 
 
@@ -87,7 +83,7 @@ def main():
     parser.add_argument("build", type=lambda p: pathlib.Path(p).resolve())
     parser.add_argument("tasks", nargs="*")
     options = parser.parse_args()
-    (known, everywhere), missing = reasons(), 0
+    (known, everywhere), missing = reasons_of_arms(), 0
     for slug in options.tasks or sorted(p.parent.name for p in (ROOT / "grader/tasks").glob("*/task.json")):
         task = Task(options.build, slug)
         for file in [*ROOT.glob(f"reference/*/{slug}.cpp"), *sorted((ROOT / "grader/tasks" / slug / "right").glob("*.cpp"))]:

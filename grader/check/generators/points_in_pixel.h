@@ -22,6 +22,17 @@ namespace grader::check {
 
 using Points = std::vector<pt::Vec2>;  // each in [0, 1] on both axes
 
+// The pixels of the picture that a memory with a coarse key takes for (x, y): x and y exchanged, the same sum, and the same place in a
+// list of rows or of columns.
+inline std::vector<std::pair<int, int>> pixels_taken_for(int x, int y, int width, int height) {
+  std::vector<std::pair<int, int>> all{
+      {y, x}, {x + 1, y - 1}, {x - height, y + 1}, {x + 1, y - width}};
+  std::erase_if(all, [&](const auto& at) {
+    return at.first < 0 || at.second < 0 || at.first >= width || at.second >= height;
+  });
+  return all;
+}
+
 // The number of points in each of side x side parts of the pixel.
 class Cells {
  public:

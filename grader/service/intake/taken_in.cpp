@@ -24,12 +24,11 @@ std::string next_number() {
 }  // namespace
 
 // It delegates, so that the destructor removes the copies if this throws.
-TakenIn::TakenIn(const build::Config& config, const std::string& submission, bool must_isolate)
+TakenIn::TakenIn(const build::Config& config, const std::string& submission)
     : TakenIn(config.work + "/intake/" + next_number()) {
   std::vector<TaskFile> tasks;
   for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
-  const Readers readers =
-      boxed_readers(config.root, config.work, base::programs_folder(), must_isolate);
+  const Readers readers = boxed_readers(config.root, config.work, base::programs_folder(), false);
   const auto next = [&] {
     std::filesystem::create_directories(work_);
     return std::filesystem::path(work_) / std::to_string(++folders_);

@@ -13,7 +13,7 @@ namespace grader::intake {
 class TakenIn {
  public:
   // Throws pt::Error if the machine is at fault.
-  TakenIn(const build::Config& config, const std::string& submission, bool must_isolate = false);
+  TakenIn(const build::Config& config, const std::string& submission);
   ~TakenIn();
   TakenIn(const TakenIn&) = delete;
   TakenIn& operator=(const TakenIn&) = delete;

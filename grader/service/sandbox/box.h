@@ -40,6 +40,10 @@ struct Box {
   bool tells_start = false;
 };
 
+// The box of a program that is linked with somebody's functions: it writes no file and starts no process. The judge's own clock
+// usually stops it; the limit on processor time only matters if the judge itself is gone.
+Box box_of_functions(const std::string& program, std::uint64_t cpu_seconds);
+
 // The child that runs the box's program in this tier. In tier A, as root, it gets a user that no
 // other box has; throws pt::Error if all are taken. In tiers A and B, all processes of the box end
 // with the program, the child or this process; a program that cannot be started exits with 127 and

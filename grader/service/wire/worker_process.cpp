@@ -16,16 +16,6 @@ namespace grader::wire {
 
 namespace {
 
-// The limits of one worker. Usually the judge's own clock stops a call; the limit on processor time
-// only matters if the judge itself is gone.
-constexpr process::Limits kWorkerLimits{
-    .cpu_seconds = 120,
-    .address_space = std::uint64_t{1} << 30,
-    .file_size = 0,
-    .processes = 0,
-    .open_files = 16,
-};
-
 // Output beyond this size is not read.
 constexpr std::size_t kMaxTaken = std::size_t{1} << 20;
 
@@ -53,7 +43,7 @@ WorkerProcess::WorkerProcess(const std::string& program, sandbox::Tier tier,
   base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
   base::Pipe calls = base::make_pipe(), replies = base::make_pipe(), output = base::make_pipe(),
              launcher = base::make_pipe();
-  sandbox::Box box{{program}, {"LANG=C.UTF-8"}, {}, {}, "", false, kWorkerLimits};
+  sandbox::Box box = sandbox::box_of_functions(program, 120);
   box.descriptors = {nothing.number(),           output.write_end.number(),
                      output.write_end.number(),  calls.read_end.number(),
                      replies.write_end.number(), launcher.write_end.number()};

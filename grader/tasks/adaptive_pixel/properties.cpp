@@ -270,19 +270,15 @@ PROMISE(adaptive_pixel, covers_the_whole_pixel) {
         points_inside(*in_picture(constant(), many_pixels()));
       },
       20);
-  // The same pixel after another one: one with x and y exchanged, and others with the same sum or the
-  // same place in a list of rows or of columns.
+  // The same pixel after another one.
   for_all(
       [] {
         const Case c =
             *in_picture(constant(), rc::gen::element(std::pair{48, 16}, std::pair{16, 48}));
-        for (const auto& [x, y] :
-             {std::pair{c.y, c.x}, std::pair{c.x + 1, c.y - 1}, std::pair{c.x - c.height, c.y + 1},
-              std::pair{c.x + 1, c.y - c.width}}) {
+        for (const auto& [x, y] : pixels_taken_for(c.x, c.y, c.width, c.height)) {
           Case other = c;
           other.x = x;
           other.y = y;
-          if (x < 0 || y < 0 || x >= c.width || y >= c.height) continue;
           points_inside(other);
           points_inside(c);
         }

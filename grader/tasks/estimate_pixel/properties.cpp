@@ -109,19 +109,15 @@ PROMISE(estimate_pixel, stays_inside_the_pixel) {
     const Pixel p = *pixel();
     expect_inside(p, some_samples(), pt::Sampler(draw("seed", sampler_seed())));
   });
-  // The same pixel after another one: one with x and y exchanged, and others with the same sum or the
-  // same place in a list of rows or of columns.
+  // The same pixel after another one.
   for_all(
       [] {
         const Pixel p = *pixel_of_a_long_picture();
         const pt::Sampler sampler(draw("seed", sampler_seed()));
-        for (const auto& [x, y] :
-             {std::pair{p.y, p.x}, std::pair{p.x + 1, p.y - 1}, std::pair{p.x - p.height, p.y + 1},
-              std::pair{p.x + 1, p.y - p.width}}) {
+        for (const auto& [x, y] : pixels_taken_for(p.x, p.y, p.width, p.height)) {
           Pixel other = p;
           other.x = x;
           other.y = y;
-          if (x < 0 || y < 0 || x >= p.width || y >= p.height) continue;
           estimate(other, 2, sampler);
           expect_inside(p, 2, sampler);
         }

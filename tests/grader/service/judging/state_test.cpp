@@ -2,6 +2,7 @@
 #include "tests/fixtures/hostile_submission.h"
 
 #include <fstream>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,17 @@ struct Insertion {
   const char* lines;
   const char* variable;
 };
+
+// The verdicts about the tasks that get these lines.
+Outcome graded_with(std::span<const Insertion> insertions, const std::string& name) {
+  const Submission submission(name);
+  std::vector<std::string> words{"--no-pictures"};
+  for (const Insertion& each : insertions) {
+    insert(submission, each.slug, each.function, each.lines);
+    words.emplace_back(each.slug);
+  }
+  return submission.grade(words);
+}
 
 // The renderer calls tasks from several threads at once, so they would share a variable that one
 // call leaves for the next. With one call at a time, the answers are right.
@@ -69,13 +81,7 @@ TEST(state, that_is_kept_between_calls_is_found_wherever_it_is) {
        "  if (stack[5] == -1) std::puts(\"this\");\n",
        "'stack'"},
   };
-  const Submission submission("kept");
-  std::vector<std::string> words{"--no-pictures"};
-  for (const Insertion& each : insertions) {
-    insert(submission, each.slug, each.function, each.lines);
-    words.emplace_back(each.slug);
-  }
-  const Outcome outcome = submission.grade(words);
+  const Outcome outcome = graded_with(insertions, "kept");
   for (const Insertion& each : insertions) {
     const json& task = outcome.task(each.slug);
     EXPECT_EQ(outcome.state(each.slug), "fail") << each.slug << " " << task.dump().substr(0, 2000);
@@ -98,13 +104,7 @@ TEST(state, of_a_thread_is_found_if_it_changes_an_answer) {
        "  if (calls >= 60000) return {};\n",
        "fail"},
   };
-  const Submission submission("thread");
-  std::vector<std::string> words{"--no-pictures"};
-  for (const Insertion& each : insertions) {
-    insert(submission, each.slug, each.function, each.lines);
-    words.emplace_back(each.slug);
-  }
-  const Outcome outcome = submission.grade(words);
+  const Outcome outcome = graded_with(insertions, "thread");
   for (const auto& [slug, function, lines, state] : insertions) {
     const json& task = outcome.task(slug);
     EXPECT_EQ(outcome.state(slug), state) << slug << " " << task.dump().substr(0, 2000);
@@ -130,13 +130,7 @@ TEST(state, of_the_processor_is_left_as_it_was) {
     // No call finds what another one left in errno.
     {"hit_box", "hit_box", "  if (errno == 77) return {};\n  errno = 77;\n", "pass"},
   };
-  const Submission submission("processor");
-  std::vector<std::string> words{"--no-pictures"};
-  for (const Insertion& each : insertions) {
-    insert(submission, each.slug, each.function, each.lines);
-    words.emplace_back(each.slug);
-  }
-  const Outcome outcome = submission.grade(words);
+  const Outcome outcome = graded_with(insertions, "processor");
   for (const auto& [slug, function, lines, state] : insertions) {
     const json& task = outcome.task(slug);
     EXPECT_EQ(outcome.state(slug), state) << slug << " " << task.dump().substr(0, 2000);
@@ -176,13 +170,7 @@ TEST(state, that_no_thread_can_spoil_is_right) {
        "    static const float two = zero + 2;\n    if (two < 0) std::puts(\"small\");\n  }\n",
        ""},
   };
-  const Submission submission("constant");
-  std::vector<std::string> words{"--no-pictures"};
-  for (const Insertion& each : insertions) {
-    insert(submission, each.slug, each.function, each.lines);
-    words.emplace_back(each.slug);
-  }
-  const Outcome outcome = submission.grade(words);
+  const Outcome outcome = graded_with(insertions, "constant");
   for (const Insertion& each : insertions) {
     EXPECT_EQ(outcome.state(each.slug), "pass")
         << each.slug << " " << outcome.task(each.slug).dump().substr(0, 2000);
