@@ -3,6 +3,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/exr.h"
+#include "pt/image/pfm.h"
 #include "pt/image/tone_map.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ Image decode_stb(const std::string& bytes, const std::string& name) {
   const int size = static_cast<int>(bytes.size());
   const auto fail = [&] {
     const char* reason = stbi_failure_reason();
-    throw Error("cannot read '" + name + "': it is not a whole EXR, PNG, JPEG or BMP picture (" +
+    throw Error("cannot read '" + name +
+                "': it is not a whole EXR, HDR, PFM, PNG, JPEG or BMP picture (" +
                 (reason ? reason : "no reason given") + ")");
   };
   int width = 0, height = 0, channels = 0;
@@ -36,6 +38,18 @@ Image decode_stb(const std::string& bytes, const std::string& name) {
   if (!is_image_size(width, height)) {
     throw Error("cannot read '" + name + "': a picture of " + std::to_string(width) + " x " +
                 std::to_string(height) + " pixels is not accepted");
+  }
+  if (stbi_is_hdr_from_memory(data, size)) {
+    const std::unique_ptr<float, void (*)(void*)> linear(
+        stbi_loadf_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
+    if (!linear) fail();
+    Image image(width, height);
+    const float* value = linear.get();
+    for (Rgb& pixel : image.pixels) {
+      pixel = {value[0], value[1], value[2]};
+      value += 3;
+    }
+    return image;
   }
   const std::unique_ptr<stbi_uc, void (*)(void*)> values(
       stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
@@ -98,6 +112,7 @@ Film read_exr(const fs::path& path) {
 Image read_image(const fs::path& path) {
   const std::string bytes = read_file(path, kMaxPictureBytes);
   if (starts_as_exr(bytes)) return mean(decode_exr(bytes, path.string()));
+  if (starts_as_pfm(bytes)) return decode_pfm(bytes, path.string());
   return decode_stb(bytes, path.string());
 }
 

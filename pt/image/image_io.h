@@ -32,8 +32,8 @@ void write_exr(const std::filesystem::path& path, const Film& film);
 // all samples and variances are 0. It reads only scanline files with one part.
 Film read_exr(const std::filesystem::path& path);
 
-// A picture in linear radiance, by the content of the file, not by its name: EXR as
-// it is; PNG, JPEG and BMP through decode(), 8 bits per channel, without alpha.
+// A picture in linear radiance, by the content of the file, not by its name: EXR, HDR and PFM as
+// they are; PNG, JPEG and BMP through decode(), 8 bits per channel, without alpha.
 Image read_image(const std::filesystem::path& path);
 
 // Returns whether the file starts like an EXR file.

@@ -20,6 +20,7 @@ void* bounded_realloc(void* old, std::size_t size) {
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
+#define STBI_ONLY_HDR
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS (1 << 16)
 #define STB_IMAGE_IMPLEMENTATION

@@ -18,9 +18,11 @@ cheapest measure/accuracy.reference cheapest
 compare pt/compare
 converge measure/accuracy.reference converge
 examples grader/grade_examples
+export pt/export
 grade grader/grade
 grade-class grader/grade_class
 hint grader/hint
+judge grader/judge
 ladder measure/ladder
 measure measure/measure
 mesh scenes/generate

@@ -37,7 +37,6 @@ mkdir -p "$folder/written/tests"
 cp -r --parents run scripts pt/tasks student "$folder/written"
 cp reference/2_bvh/hit_box.cpp "$folder/written/student/2_bvh"
 expect 2 'student/*/hit_box.cpp is not a stub' env PATH="$folder/no_ninja:$PATH" "$folder/written/run" handout "$folder/course"
-command -v blender >/dev/null || refuses "blender is missing" bench cycles
 
 # Every command of the menu has a --help, and builds nothing for it.
 for command in $(./run | sed -nE 's/^  [.]\/run ([a-z-]+)( [|] ([a-z-]+))?.*/\1 \3/p' | sort -u); do

@@ -25,10 +25,10 @@ using Rooms = std::vector<std::string>;
 const Rooms kCore{"grader/base",    "grader/results",  "grader/door",
                   "grader/explain", "grader/check",    "grader/mistakes",
                   "grader/tasks",   "grader/pictures", "grader/report"};
-const Rooms kService{"grader/service/process", "grader/service/sandbox",   "grader/service/wire",
-                     "grader/service/audit",   "grader/service/build",     "grader/service/judging",
-                     "grader/examples",        "grader/service/platforms", "grader/service/intake",
-                     "grader/service/classes"};
+const Rooms kService{"grader/service/process", "grader/service/sandbox", "grader/service/wire",
+                     "grader/service/audit",   "grader/service/build",   "grader/service/judging",
+                     "grader/examples",        "grader/renderers",       "grader/service/platforms",
+                     "grader/service/intake",  "grader/service/classes"};
 const Rooms kMeasure{"measure/charts", "measure/renders", "measure/scene", "measure/calls",
                      "measure/failure"};
 const std::string kWriteup = "writeup";

@@ -112,9 +112,10 @@ pt::Film film_of(const pt::Image& image) {
   return film;
 }
 
-// The result of a verdict. The judged render and its evidence are written into their files.
-results::PictureResult judged(const Recipe& recipe, const PictureFiles& files,
-                              const ImageVerdict& verdict) {
+}  // namespace
+
+results::PictureResult described(const Recipe& recipe, const PictureFiles& files,
+                                 const ImageVerdict& verdict) {
   results::PictureResult result = unjudged(recipe, files);
   result.state = state_of(verdict.outcome);
   result.text = verdict.sentence;
@@ -129,6 +130,16 @@ results::PictureResult judged(const Recipe& recipe, const PictureFiles& files,
   result.evidence = files.evidence;
   return result;
 }
+
+results::PictureResult described(const Recipe& recipe, const PictureFiles& files,
+                                 const NoPicture& none) {
+  results::PictureResult result = unjudged(recipe, files);
+  result.state = state_of(none.cause);
+  result.text = none.text;
+  return result;
+}
+
+namespace {
 
 // Blackens each pixel whose first batch may be all zero: a right program may stop there or go on,
 // so such pixels are not judged.
@@ -166,7 +177,7 @@ results::PictureResult judge_adaptive(const Recipe& recipe, const pt::View& view
   for (std::size_t i = 0; i < verdict.render.pixels.size(); ++i) {
     if (reference.dark_start[i] != 0) verdict.render.pixels[i] = whole.pixels[i];
   }
-  results::PictureResult result = judged(recipe, files, verdict);
+  results::PictureResult result = described(recipe, files, verdict);
   if (!files.counts.empty()) {
     pt::write_counts(files.counts, run.counts);
     pt::write_counts(files.golden_counts, usual_counts(reference));
@@ -190,16 +201,7 @@ results::PictureResult judge(const Recipe& recipe, const pt::View& view, const R
                             samples);
       },
       rendering.max_rounds, recipe.most_noise);
-  return judged(recipe, files, verdict);
-}
-
-// The result if the worker could not render the whole picture.
-results::PictureResult without_picture(const Recipe& recipe, const PictureFiles& files,
-                                       const NoPicture& none) {
-  results::PictureResult result = unjudged(recipe, files);
-  result.state = state_of(none.cause);
-  result.text = none.text;
-  return result;
+  return described(recipe, files, verdict);
 }
 
 }  // namespace
@@ -212,7 +214,7 @@ results::PictureResult judge_recipe(const Recipe& recipe, const Rendering& rende
     try {
       return judge(recipe, view(recipe, scene), rendering, files);
     } catch (const NoPicture& none) {
-      return without_picture(recipe, files, none);
+      return described(recipe, files, none);
     }
   }();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

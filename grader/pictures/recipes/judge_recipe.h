@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/pictures/recipes/recipes.h"
+#include "grader/pictures/statistics/image_verdict.h"
 #include "grader/results/results.h"
 #include "pt/render/render_rows.h"
 
@@ -48,5 +49,11 @@ struct Rendering {
 // Returns the verdict. Throws pt::Error if a golden is missing.
 results::PictureResult judge_recipe(const Recipe& recipe, const Rendering& rendering,
                                     const PictureFiles& files);
+
+// The result of a verdict on a recipe's picture; the judged render and its evidence are written into their files. And the result without a picture.
+results::PictureResult described(const Recipe& recipe, const PictureFiles& files,
+                                 const ImageVerdict& verdict);
+results::PictureResult described(const Recipe& recipe, const PictureFiles& files,
+                                 const NoPicture& none);
 
 }  // namespace grader::pictures

@@ -270,6 +270,37 @@ TEST_F(ImageIo, reads_a_bmp_top_row_first) {
   EXPECT_EQ(image.at(1, 1), (Rgb{0, 1, 0}));
 }
 
+// Two pixels below two, as Debevec describes the format: the lowest row first, the byte order in the sign of the scale.
+TEST_F(ImageIo, reads_a_pfm_of_either_byte_order) {
+  for (const bool little : {true, false}) {
+    std::string bytes = little ? "PF\n2 2\n-1.0\n" : "PF\n2 2\n1.0\n";
+    for (int i = 0; i < 12; ++i) {
+      const float value = static_cast<float>(i) + 0.5f;
+      char raw[4];
+      std::memcpy(raw, &value, 4);  // these machines are little-endian
+      if (!little) std::reverse(raw, raw + 4);
+      bytes.append(raw, 4);
+    }
+    write_file(in_folder("a.pfm"), bytes);
+    const Image image = read_image(in_folder("a.pfm"));
+    EXPECT_EQ(image.at(0, 1), (Rgb{0.5, 1.5, 2.5}));
+    EXPECT_EQ(image.at(1, 0), (Rgb{9.5, 10.5, 11.5}));
+    for (const std::size_t length : {std::size_t{3}, std::size_t{9}, bytes.size() - 1}) {
+      write_file(in_folder("cut.pfm"), bytes.substr(0, length));
+      EXPECT_THROW(read_image(in_folder("cut.pfm")), Error) << length;
+    }
+  }
+}
+
+// A pixel of RGBE is three mantissas and their common exponent: 128 2^(e - 136) is 1 for e = 129.
+TEST_F(ImageIo, reads_an_hdr_in_linear_radiance) {
+  write_file(in_folder("a.hdr"), std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n") +
+                                     "\x80\x40\x20\x81" + "\x80\x80\x80\x83");
+  const Image image = read_image(in_folder("a.hdr"));
+  EXPECT_EQ(image.at(0, 0), (Rgb{1, 0.5, 0.25}));
+  EXPECT_EQ(image.at(1, 0), (Rgb{4, 4, 4}));
+}
+
 TEST_F(ImageIo, refuses_every_beginning_of_an_exr) {
   const std::string whole = encode_exr(random_film(3, 20));
   for (std::size_t size = 0; size < whole.size(); ++size) {

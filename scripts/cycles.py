@@ -1,19 +1,17 @@
-# Renders a scene with Blender's Cycles, for bench_cycles:
-#     blender --background --factory-startup --python cycles.py -- scene.json
-# Reads jobs from standard input, a line of JSON per job: {"samples": 16, "seed": 1, "picture": "1.exr"}, and answers on descriptor
-# 3 with a line of JSON: the processor time of the render. bench/cycles.cpp writes scene.json. World coordinates are used as
-# they are, with y up: nothing here depends on Blender's own up direction.
+# Renders a scene with Blender's Cycles, for ./run judge:
+#     blender --background --factory-startup --python scripts/cycles.py -- {scene} {samples} {seed} {out}
+# {scene} is what ./run export --to blender writes. World coordinates are used as they are, with y up: nothing here depends on Blender's own
+# up direction. Cycles has no spheres: an icosahedron whose triangles are cut into 4^6 each stands for one.
 import array
 import json
 import math
-import os
-import resource
 import sys
 
 import bmesh
 import bpy
 from mathutils import Matrix, Vector
 
+SPHERE_LEVEL = 7
 FARTHEST = 1e5  # for a camera whose view has no end
 
 
@@ -136,9 +134,6 @@ def add_camera(described, width, height):
 def settings(described):
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    scene.render.threads_mode = "FIXED"
-    scene.render.threads = described["threads"]
-    scene.render.use_persistent_data = True  # builds the tree once
     cycles = scene.cycles
     cycles.device = "CPU"
     cycles.use_denoising = False
@@ -172,39 +167,21 @@ def build(described):
     for group in described["triangles"]:
         add_triangles(group, materials[group["material"]])
     for sphere in described["spheres"]:
-        add_sphere(sphere, described["sphere_level"], materials[sphere["material"]])
+        add_sphere(sphere, SPHERE_LEVEL, materials[sphere["material"]])
     for lamp in described["lamps"]:
         add_lamp(lamp)
     add_camera(described["camera"], described["width"], described["height"])
 
 
-def processor_seconds():
-    used = resource.getrusage(resource.RUSAGE_SELF)
-    return used.ru_utime + used.ru_stime
-
-
-def render(job):
-    """Returns the processor time, without the time to write the file."""
-    scene = bpy.context.scene
-    scene.cycles.samples = job["samples"]
-    scene.cycles.seed = job["seed"]
-    scene.update_tag()  # otherwise the data that persists hides the new settings
-    before = processor_seconds()
-    bpy.ops.render.render()
-    seconds = processor_seconds() - before
-    bpy.data.images["Render Result"].save_render(job["picture"], scene=scene)
-    return seconds
-
-
 def main():
-    with open(sys.argv[sys.argv.index("--") + 1]) as file:
-        described = json.load(file)
-    build(described)
-    answers = os.fdopen(3, "w")
-    ready = {"version": bpy.app.version_string, "seconds": processor_seconds()}
-    print(json.dumps(ready), file=answers, flush=True)
-    for line in sys.stdin:
-        print(json.dumps({"seconds": render(json.loads(line))}), file=answers, flush=True)
+    file, samples, seed, picture = sys.argv[sys.argv.index("--") + 1 :]
+    with open(file) as text:
+        build(json.load(text))
+    scene = bpy.context.scene
+    scene.cycles.samples = int(samples)
+    scene.cycles.seed = int(seed)
+    bpy.ops.render.render()
+    bpy.data.images["Render Result"].save_render(picture, scene=scene)
 
 
 main()
