@@ -13,7 +13,7 @@ set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render p
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
   grader_worker grader_connection grader_serve examples_runner recorder_calls view_calls view_paths view_worker_main
   measure_render_main measure_scene_main measure_calls_worker measure_calls_pixels)
-set(compiled_programs grader/grade grader/grade_examples grader/hint grader/watch grader/box grader/box_probe grader/flatten grader/graded_picture pt/compare
+set(compiled_programs grader/grade grader/grade_examples grader/hint grader/watch grader/box grader/box_probe grader/flatten grader/graded_picture grader/compare
   scenes/generate view/view measure/measure measure/stability measure/writeup_boxed measure/accuracy_boxed writeup/writeup)
 foreach(slug IN LISTS FIRSTLIGHT_COUNTED)
   list(APPEND compiled_objects ${slug}.counting)

@@ -35,7 +35,6 @@ compare_codes() {
   "$build/release/pt/$render_b" "${options[@]}" -f "$folder/b.exr" --notes "$folder/b.txt" || exit
   [ ! -s "$folder/a.txt" ] || name_a+=", $(cat "$folder/a.txt")"
   [ ! -s "$folder/b.txt" ] || name_b+=", $(cat "$folder/b.txt")"
-  "$build/release/pt/compare" "$folder/a.exr" "$folder/b.exr" --page "$folder" --name-a "$name_a" --name-b "$name_b" || exit
-  echo "$folder/index.html"
+  "$build/release/grader/compare" "$folder/a.exr" "$folder/b.exr" --same-numbers --html "$folder/index.html" --name-a "$name_a" --name-b "$name_b" || exit
   if [ -n "${DISPLAY-}${WAYLAND_DISPLAY-}" ] && command -v xdg-open >/dev/null; then xdg-open "$folder/index.html"; fi
 }

@@ -14,6 +14,8 @@ firstlight_test(image_verdict_test rest PATHS LIBRARIES synthetic_pictures GTest
   grader/pictures/image_verdict_test.cpp grader/pictures/image_failing_cells_test.cpp grader/pictures/image_guards_test.cpp)
 firstlight_test(sample_map_verdict_test quick SOURCES grader/pictures/sample_map_verdict_test.cpp
   LIBRARIES synthetic_pictures GTest::gmock)
+firstlight_test(test_compare quick SOURCES grader/pictures/compare_test.cpp LIBRARIES grader_pictures NEEDS compare
+  DEFINES COMPARE_PROGRAM="$<TARGET_FILE:compare>")
 firstlight_test(test_bless rest PATHS SOURCES grader/pictures/bless_test.cpp LIBRARIES grader_goldens GTest::gmock RADIANCE recorded
   NEEDS bless DEFINES BLESS_PROGRAM="$<TARGET_FILE:bless>")
 firstlight_test(test_goldens rest PATHS SOURCES grader/pictures/goldens_test.cpp LIBRARIES grader_goldens GTest::gmock

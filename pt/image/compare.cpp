@@ -81,28 +81,6 @@ PixelErrors pixel_errors(std::vector<double> squares) {
   return {part(.5), part(.99), part(1)};
 }
 
-std::optional<MeanTest> compare_means(const Film& a, const Film& b) {
-  check_sizes(a, b);
-  double sum = 0, variance = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const FilmPixel &pa = a.pixels[i], &pb = b.pixels[i];
-    if (pa.samples < 2 || pb.samples < 2) return std::nullopt;
-    sum += luminance(pa.mean) - luminance(pb.mean);
-    variance += pa.variance_y / pa.samples + pb.variance_y / pb.samples;
-  }
-  if (a.pixels.empty() || !std::isfinite(sum) || !(variance >= 0) || std::isinf(variance)) {
-    return std::nullopt;
-  }
-  const double count = static_cast<double>(a.pixels.size());
-  MeanTest test{sum / count, std::sqrt(variance) / count, 0};
-  if (test.standard_error > 0) {
-    test.z = test.difference / test.standard_error;
-  } else if (test.difference != 0) {
-    test.z = std::copysign(std::numeric_limits<double>::infinity(), test.difference);
-  }
-  return test;
-}
-
 Color8 difference_color(double relative, double full) {
   if (std::isnan(relative)) return {0, 0, 0};
   return ramp(kDifferenceStops, 0.5 + 0.5 * relative / full);

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "pt/image/film.h"
 #include "pt/image/image.h"
 #include "pt/image/picture.h"
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 // Compares a picture a with a picture b that is assumed to be right.
@@ -41,19 +39,6 @@ struct PixelErrors {
   double median = 0, most = 0, largest = 0;
 };
 PixelErrors pixel_errors(std::vector<double> squares);
-
-// The difference of the mean luminances of two renders, compared with their noise. If they differ
-// only by noise, z is about normal.
-struct MeanTest {
-  double difference = 0;      // mean of Y over a, less that over b
-  double standard_error = 0;  // from the variances in both films
-  // difference / standard_error; 0 for 0 / 0, infinite for a difference without noise.
-  double z = 0;
-};
-
-// Nothing if a pixel of either is not finite, or has fewer than two samples and so no known
-// variance. Throws pt::Error if the sizes differ.
-std::optional<MeanTest> compare_means(const Film& a, const Film& b);
 
 // (a - b) / (|b| + dark), for pictures of a difference; 0 if they are equal.
 double relative_difference(double a, double b, double dark);

@@ -91,7 +91,7 @@ full_output() {
   [ -w /dev/full ] || { echo "NOT TESTED, an output that cannot be written: there is no /dev/full"; return; }
   prepare output
   "$grader/grade" --config "$folder/output/grade.json" "${asked[@]}" --json "$folder/results.json" >"$folder/said"
-  for command in "$grader/grade --from-results $folder/results.json" "$build/pt/compare golden/rays_star.exr \
+  for command in "$grader/grade --from-results $folder/results.json" "$build/grader/compare golden/rays_star.exr \
     golden/rays_star.exr" "$build/pt/render scenes/star.dae -f $folder/star.png -s 1 -r 8 6"; do
     status=0
     $command >/dev/full 2>"$folder/said" || status=$?

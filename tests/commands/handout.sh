@@ -87,7 +87,7 @@ grep -q "no implementation 'first' of the task hit_bvh; there are student, refer
 said=$(cd "$folder" && ./run measure hit_sphere hit_bvh --seconds 1 --from hit_bvh=range_overwritten 2>&1) || [ $? -eq 1 ] || complain "./run measure of a mistake says: $said"
 grep -q '^. range_overwritten  *[0-9]' <<<"$said" || complain "./run measure of a mistake says: $said"
 # Every command of the handbook works, and makes the picture that stands above it.
-python3 tests/commands/handbook.py "$folder" "$build/pt/compare" || complain "a command of the handbook does not do what it says"
+python3 tests/commands/handbook.py "$folder" "$build/grader/compare" || complain "a command of the handbook does not do what it says"
 rm -f "$folder"/*.{png,exr,html,zip,csv}
 git -C "$folder" reset -q --hard "$(git -C "$folder" rev-list --max-parents=0 HEAD)" # it has committed the texts of the write-up
 said=$(cd "$folder" && ./run compare scenes/box_spheres.dae -s 1 -r 32 24 2>&1) || complain "./run compare says: $said"

@@ -15,7 +15,7 @@ while read -r command program words; do
 done <<'END'
 bless grader/bless
 cheapest measure/accuracy.reference cheapest
-compare pt/compare
+compare grader/compare
 converge measure/accuracy.reference converge
 examples grader/grade_examples
 export pt/export

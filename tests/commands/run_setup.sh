@@ -31,7 +31,7 @@ begin() {
   printf '#!/bin/sh\n' >"$tree/steps"
   chmod 755 "$tree/steps"
   for preset in check release; do
-    for place in grader/grade pt/compare; do
+    for place in grader/grade grader/compare; do
       mkdir -p "$tree/build/$preset/${place%/*}"
       printf '#!/bin/sh\n[ "$1" = --programs ] && { cat %s; exit; }\necho done "$@"\n' "$folder/programs" >"$tree/build/$preset/$place"
       chmod 755 "$tree/build/$preset/$place"

@@ -30,7 +30,7 @@ while IFS= read -r words; do
   renders=$((renders + 1))
 done < <(sed -nE 's/ +# .*//; s/^    \.\/run render (scenes\/.*)$/\1/p; s/.*`\.\/run render (scenes\/[^`]*)`.*/\1/p' README.md docs/rendering.md student/*.md student/*/README.md | sort -u)
 [ "$renders" -ge 30 ] || complain "the pages have only $renders renders"
-expect 0 '' "$build/pt/compare" "$folder/box.png" "$folder/box.png"
+expect 0 '' "$build/grader/compare" "$folder/box.png" "$folder/box.png"
 expect 0 'page.html' "$build/view/view" --worker "$build/view/view_worker.reference" scenes/box_spheres.dae -r 48 36 -s 2 \
   --pixel 24 9 --export "$folder/page.html"
 grep -q '"same":true' "$folder/page.html" || complain 'the parts of a path do not add up to its light'

@@ -247,49 +247,6 @@ TEST(Compare, leaves_out_what_is_not_finite_and_says_so) {
   EXPECT_EQ(difference_picture(a, b).at(0, 0), (Color8{0, 0, 0}));
 }
 
-TEST(Compare, tells_a_difference_of_means_in_standard_errors) {
-  Film a(2, 1), b(2, 1);
-  for (int x = 0; x < 2; ++x) {
-    a.set(x, 0, {gray(1.0 + x), {}, 0.9, 10});
-    b.set(x, 0, {gray(0.5 + x), {}, 0.8, 20});
-  }
-  // Each pixel's difference has the variance 0.09 + 0.04; the mean of two has half of that.
-  const std::optional<MeanTest> test = compare_means(a, b);
-  ASSERT_TRUE(test);
-  EXPECT_NEAR(test->difference, 0.5, 1e-15);
-  EXPECT_NEAR(test->standard_error, std::sqrt(0.13 / 2), 1e-15);
-  EXPECT_NEAR(test->z, 0.5 / std::sqrt(0.13 / 2), 1e-14);
-  b.set(1, 0, {gray(1.5), {}, 0, 1});
-  EXPECT_FALSE(compare_means(a, b));
-  EXPECT_FALSE(compare_means(Film(2, 1), Film(2, 1)));
-}
-
-TEST(Compare, tells_a_difference_without_noise_from_none) {
-  Film a(2, 1), b(2, 1);
-  for (int x = 0; x < 2; ++x) {
-    a.set(x, 0, {gray(1), {}, 0, 10});
-    b.set(x, 0, {gray(2), {}, 0, 10});
-  }
-  EXPECT_EQ(compare_means(a, a).value().z, 0);
-  EXPECT_EQ(compare_means(a, b).value().z, -kInf);
-  EXPECT_EQ(compare_means(b, a).value().z, kInf);
-}
-
-TEST(Compare, does_not_judge_means_that_are_not_finite) {
-  for (const double bad : {kNan, kInf}) {
-    Film a(2, 1), b(2, 1);
-    for (int x = 0; x < 2; ++x) {
-      a.set(x, 0, {gray(1), {}, 1, 10});
-      b.set(x, 0, {gray(1), {}, 1, 10});
-    }
-    ASSERT_TRUE(compare_means(a, b));
-    a.set(1, 0, {gray(bad), {}, 1, 10});
-    EXPECT_FALSE(compare_means(a, b)) << "a mean";
-    a.set(1, 0, {gray(1), {}, bad, 10});
-    EXPECT_FALSE(compare_means(a, b)) << "a variance";
-  }
-}
-
 TEST(Compare, counts_rows_from_the_top) {
   Image a(2, 3), b(2, 3);
   a.at(1, 2) = {0, 0.5, 0};
@@ -299,7 +256,6 @@ TEST(Compare, counts_rows_from_the_top) {
 
 TEST(Compare, needs_equal_sizes) {
   EXPECT_THROW(compare(Image(2, 3), Image(3, 2)), Error);
-  EXPECT_THROW(compare_means(Film(2, 3), Film(3, 2)), Error);
   EXPECT_THROW(difference_picture(Image(2, 3), Image(2, 4)), Error);
 }
 
