@@ -10,7 +10,7 @@ build=$1
 
 # What README and docs/commands.md name is a command of ./run, the help names it on docs/commands.md, and a line below or another
 # test walks it.
-walked=' render view compare grade hint grade-class '
+walked=' render export judge view compare grade hint grade-class '
 elsewhere=' watch debug examples submit writeup cheapest measure converge ladder stability mesh bench handout autograder test lint format tidy bless help '
 named() { grep -ohE '\./run [a-z-]+' "$@" | cut -d' ' -f2 | sort -u; }
 for command in $(named README.md docs/commands.md); do
@@ -31,6 +31,9 @@ while IFS= read -r words; do
 done < <(sed -nE 's/ +# .*//; s/^    \.\/run render (scenes\/.*)$/\1/p; s/.*`\.\/run render (scenes\/[^`]*)`.*/\1/p' README.md docs/rendering.md student/*.md student/*/README.md | sort -u)
 [ "$renders" -ge 30 ] || complain "the pages have only $renders renders"
 expect 0 '' "$build/grader/compare" "$folder/box.png" "$folder/box.png"
+expect 0 'scene.pbrt' "$build/pt/export" scenes/box_spheres.dae --to pbrt "$folder/pbrt"
+expect 0 'agrees' "$build/grader/judge" scenes/large_light.dae -r 24 18 -m 1 --work "$folder/judge" -- "$build/pt/render" {scene} --camera file -r {width} {height} -s {samples} \
+  -m {depth} --seed {seed} -f {out}
 expect 0 'page.html' "$build/view/view" --worker "$build/view/view_worker.reference" scenes/box_spheres.dae -r 48 36 -s 2 \
   --pixel 24 9 --export "$folder/page.html"
 grep -q '"same":true' "$folder/page.html" || complain 'the parts of a path do not add up to its light'
