@@ -33,7 +33,7 @@ if(FIRSTLIGHT_SANITIZE)  # some of the programs are not built then
   return()
 endif()
 firstlight_script_test(walk quick commands/walk.sh ${build}
-  NEEDS render export judge view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class)
+  NEEDS render export judge compare_picture view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class)
 firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade grade_examples hint watch box render view compare generate writeup
   accuracy.reference measure stability bless grade_class ladder judge export)
 firstlight_script_test(autograder_made rest commands/autograder.sh ARGUMENTS ${PROJECT_BINARY_DIR} made NEEDS grade graded)

@@ -31,6 +31,8 @@ while IFS= read -r words; do
 done < <(sed -nE 's/ +# .*//; s/^    \.\/run render (scenes\/.*)$/\1/p; s/.*`\.\/run render (scenes\/[^`]*)`.*/\1/p' README.md docs/rendering.md student/*.md student/*/README.md | sort -u)
 [ "$renders" -ge 30 ] || complain "the pages have only $renders renders"
 expect 0 '' "$build/grader/compare" "$folder/box.png" "$folder/box.png"
+"$build/pt/render" scenes/box_spheres.dae --camera file -r 32 24 -s 4 --seed 7 -f "$folder/one.png" >/dev/null
+expect 0 'would have been called wrong' "$build/grader/compare_picture" "$folder/one.png" scenes/box_spheres.dae --camera file -s 4
 expect 0 'scene.pbrt' "$build/pt/export" scenes/box_spheres.dae --to pbrt "$folder/pbrt"
 expect 0 'agrees' "$build/grader/judge" scenes/large_light.dae -r 24 18 -m 1 --work "$folder/judge" -- "$build/pt/render" {scene} --camera file -r {width} {height} -s {samples} \
   -m {depth} --seed {seed} -f {out}

@@ -251,6 +251,12 @@ PROMISE(estimate_pixel, draws_from_the_callers_sampler) {
              fmt::format("in call {} another sampler, or one that went back", i + 1));
       for (int number = 0; number < numbers; ++number) at.next_1d();
     }
+    pt::Sampler of_radiance = start;  // if nobody else has drawn from it
+    for (std::size_t i = 0; i < e.calls.size() * numbers; ++i) of_radiance.next_1d();
+    expect(n == 1 || !(e.sampler.state() == of_radiance.state()),
+           "points in the pixel by numbers of the caller's sampler, which radiance() does not get "
+           "again",
+           "a sampler from which radiance() alone has drawn");
     expect(draw_up_to(e.sampler.state(), at),
            "a sampler that has advanced past all numbers that were drawn",
            "a sampler that has not advanced, so that the next pixel gets the same numbers");
