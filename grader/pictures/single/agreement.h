@@ -51,7 +51,7 @@ struct OwnPictures {
   pt::Image mean;
   std::vector<double> variance;  // half a pixel's own, half its neighbours': few pictures show it
   std::vector<double> step;      // the width of a code, in luminance; empty for floats
-  // What clipping takes of the noise: the mean of all, through the codec, less `mean`. And what a wide filter takes of that.
+  // The part of the noise that clipping takes: the mean of all, through the codec, less `mean`. And the part of that that a wide filter takes.
   std::vector<double> clipped, filtered;
   double noise = 1;  // of ours, by the measure of Agreement::noise
 };
