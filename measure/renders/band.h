@@ -38,6 +38,9 @@ BandEnd read_end(const Band& band);
 
 Spec read_spec(const std::filesystem::path& file);
 
+// Renders the rows of the band that its file does not have yet.
+void make_band(const std::string& spec_file, const Band& band);
+
 // Rows of a render, from the program that renders them. The file grows by one row at a time, so
 // that finished rows stay even if that program is ended. Rows count from the bottom, as in the
 // tasks. `pixels` is the number of pixels in a row: the width of the picture, or of several

@@ -5,11 +5,17 @@
 #include "grader/service/judging/together.h"
 #include "grader/service/process/process_time.h"
 #include "grader/service/wire/session.h"
+#include "grader/service/wire/worker_rows.h"
+#include "measure/renders/rows.h"
 #include "measure/renders/worker_config.h"
 #include "pt/error.h"
 #include "pt/file.h"
+#include "pt/render/choose_engine.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -26,6 +32,8 @@ namespace {
 constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 constexpr int kCompileSeconds = 60;
 constexpr std::chrono::hours kTotalLimit{5};
+
+std::set<std::string> does_not_compile;  // tasks of the submission whose worker is open
 
 std::string why_not(const Judged& judged) {
   const results::TaskResult& result = judged.result;
@@ -78,12 +86,11 @@ Boxed read_boxed(const std::string& file) {
   return nlohmann::json::parse(pt::read_file(file, kMaxJson));
 }
 
-void open_worker(const std::string& worker, const std::string& tier,
-                 std::chrono::milliseconds call_limit) {
+void open_worker(const Boxed& boxed, std::chrono::milliseconds call_limit) {
   wire::SessionSettings settings;
   settings.task = "the write-up";
-  settings.program = worker;
-  settings.tier = sandbox::tier_of(tier);
+  settings.program = boxed.worker;
+  settings.tier = sandbox::tier_of(boxed.tier);
   settings.answers = false;
   settings.give_up = [](results::Cause, const std::string& text) { throw SubmissionFailed(text); };
   settings.call_limit = call_limit;
@@ -91,10 +98,38 @@ void open_worker(const std::string& worker, const std::string& tier,
   settings.max_timeouts = 1;
   settings.max_failures = 1;
   wire::open_session(settings);
+  for (const auto& [task, reason] : boxed.unusable) does_not_compile.insert(task);
 }
 
-double worker_seconds() {
-  return std::chrono::duration<double>(process::time_of_tree(getpid()).running).count();
+// A call takes some milliseconds, as the scene goes with it.
+const double kQuick = 0.3;
+
+CostedRows costed_rows(const pt::View& view, const pt::RowsRequest& request) {
+  const auto seconds = [] {  // of this process and the worker
+    return std::chrono::duration<double>(process::time_of_tree(getpid()).running).count();
+  };
+  const double start = seconds();
+  const std::int64_t before = rays_so_far();
+  pt::PictureRows rows = wire::worker_rows(view, request);
+  return {std::move(rows), seconds() - start, rays_so_far() - before};
+}
+
+// With the engine `task` the worker builds its own tree. One row shows whether there is one.
+void give_tracer(pt::Scene& scene, const pt::View& view, pt::Engine engine) {
+  scene.tracer = pt::Tracer(engine, scene.primitives);
+  if (engine != pt::Engine::task) return;
+  wire::worker_rows(view, {view.height / 2, 1, 1, {}, 0, {}, {}});
+  const auto& todo = wire::session().record().todo;
+  for (const std::string_view task : pt::kTreeTasks) {
+    if (todo.contains(std::string(task)))
+      scene.tracer = pt::Tracer(pt::Engine::linear, scene.primitives);
+  }
+}
+
+std::vector<std::string> unwritten_tasks() {
+  std::set<std::string> tasks = wire::session().record().todo;
+  tasks.insert(does_not_compile.begin(), does_not_compile.end());
+  return {tasks.begin(), tasks.end()};
 }
 
 }  // namespace measure

@@ -32,11 +32,8 @@ Boxed build_submission(const std::string& submission,
 void write_boxed(const Boxed& boxed, const std::string& file);  // as JSON
 Boxed read_boxed(const std::string& file);
 
-// Opens the session of this program with the worker. Calls throw SubmissionFailed from then on.
-void open_worker(const std::string& worker, const std::string& tier,
-                 std::chrono::milliseconds call_limit);
-
-// Processor seconds of this process and the worker, so far.
-double worker_seconds();
+// Opens the session of this program with the worker, which renders the rows from then on (rows.h). Its
+// calls throw SubmissionFailed.
+void open_worker(const Boxed& boxed, std::chrono::milliseconds call_limit);
 
 }  // namespace measure

@@ -1,5 +1,6 @@
 #include "measure/scene/answer.h"
 
+#include "measure/renders/rows.h"
 #include "measure/scene/adaptive.h"
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"

@@ -1,5 +1,6 @@
 #include "measure/scene/begin.h"
 
+#include "measure/renders/rows.h"
 #include "measure/renders/spec.h"
 #include "measure/scene/answer.h"
 #include "measure/scene/converge.h"

@@ -1,6 +1,7 @@
 #include "measure/scene/converge.h"
 
 #include "measure/charts/gnuplot.h"
+#include "measure/renders/rows.h"
 #include "measure/renders/spec.h"
 #include "measure/scene/options.h"
 #include "pt/error.h"

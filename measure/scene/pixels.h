@@ -1,6 +1,8 @@
 #pragma once
 
+#include "pt/error.h"
 #include "pt/render/render_film.h"
+#include "pt/scene/bounce_range.h"
 
 #include <span>
 #include <string>
@@ -18,10 +20,6 @@ struct PixelAt {
 // depends on `seed`. Their mean is an estimate of the picture's mean.
 std::vector<PixelAt> spread_pixels(int width, int height, int wanted, std::uint64_t seed);
 
-// Renders pixels with one of two implementations; a program links one of them:
-//   here   (pixels_here.cpp), by the tasks linked into this program;
-//   boxed  (boxed_main.cpp), by the worker of a submission, in its box: one thread.
-
 // The results of some pixels, all in luminance.
 struct RenderedPixels {
   std::vector<double> mean;      // of each pixel
@@ -35,7 +33,18 @@ struct RenderedPixels {
 RenderedPixels measure(const pt::View& view, const pt::RenderSettings& settings,
                        std::span<const PixelAt> pixels);
 
-// The tasks that were called so far but are not written yet.
-std::vector<std::string> unwritten_tasks();
+// The bounces of the linked trace_path, or of a submission's, do not add up to what it returns.
+struct NotApart : pt::Error {
+  using pt::Error::Error;
+};
+
+// The mean of each pixel (inner) in each range of bounces (outer), from the same paths. Throws NotApart.
+struct MeasuredApart {
+  std::vector<std::vector<double>> mean;
+  double cpu_seconds = 0;
+};
+MeasuredApart measure_apart(const pt::View& view, const pt::RenderSettings& settings,
+                            std::span<const pt::BounceRange> ranges,
+                            std::span<const PixelAt> pixels);
 
 }  // namespace measure::scene

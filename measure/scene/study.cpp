@@ -1,7 +1,5 @@
 #include "measure/scene/study.h"
 
-#include "measure/scene/pixels_apart.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>

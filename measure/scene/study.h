@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/scene/model.h"
-#include "measure/scene/pixels_apart.h"
+#include "measure/scene/pixels.h"
 #include "pt/image/compare.h"
 
 #include <cstdint>
