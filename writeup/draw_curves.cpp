@@ -1,3 +1,4 @@
+#include "grader/report/read_csv.h"
 #include "pt/file.h"
 #include "writeup/figure.h"
 
@@ -5,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -125,27 +125,16 @@ namespace {
 
 using Cells = std::map<std::string, std::string>;
 
-// The lines of measure.csv by the names of their columns. Its texts have no commas.
+// The lines of measure.csv by the names of their columns.
 std::vector<Cells> read_rows(const fs::path& file) {
-  std::istringstream in(pt::read_file(file, kMaxTable));
-  const auto cells_of = [](const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream words(line);
-    for (std::string cell; std::getline(words, cell, ',');) {
-      std::erase(cell, '"');
-      cells.push_back(cell);
-    }
-    return cells;
-  };
-  std::string line;
-  std::getline(in, line);
-  const std::vector<std::string> names = cells_of(line);
+  const grader::report::CsvTable table =
+      grader::report::read_csv(pt::read_file(file, kMaxTable), file.string());
   std::vector<Cells> rows;
-  while (std::getline(in, line)) {
-    const std::vector<std::string> cells = cells_of(line);
-    Cells row;
-    for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i) row[names[i]] = cells[i];
-    rows.push_back(row);
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    const auto &names = table.rows[0].cells, &cells = table.rows[i].cells;
+    Cells& row = rows.emplace_back();
+    for (std::size_t k = 0; k < std::min(names.size(), cells.size()); ++k)
+      row[names[k].value] = cells[k].value;
   }
   return rows;
 }

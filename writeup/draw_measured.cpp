@@ -1,3 +1,4 @@
+#include "grader/report/csv.h"
 #include "pt/file.h"
 #include "writeup/figure.h"
 
@@ -192,7 +193,7 @@ void write_table(const Drawn& drawn, const fs::path& file) {
   std::string csv;
   for (const std::string& column : drawn.columns) csv += (csv.empty() ? "" : ",") + column;
   for (const std::vector<std::string>& row : drawn.rows) {
-    csv += '\n' + row[0];
+    csv += '\n' + grader::report::csv_field(row[0]);
     for (std::size_t i = 1; i < row.size(); ++i) csv += ',' + bare(row[i]);
   }
   pt::write_file(file, csv + "\n");

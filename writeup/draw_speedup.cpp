@@ -1,3 +1,4 @@
+#include "grader/report/csv.h"
 #include "measure/charts/gnuplot.h"
 #include "pt/file.h"
 #include "writeup/figure.h"
@@ -102,11 +103,12 @@ std::string csv_line(const std::string& scene, const Cell& linear, const Cell& t
   const auto number = [](const Cell& cell, double value) {
     return cell.problem.empty() ? fmt::format("{:.6g}", value) : "nan";
   };
-  return fmt::format(
-      "{},{},{},{},{},{},{},{},{},{}\n", scene, wide.primitives, number(linear, linear.seconds),
-      number(tree, tree.seconds), number(wide, wide.seconds), number(linear, linear.tests),
-      number(tree, tree.tests), number(linear, linear.error * linear.seconds),
-      number(tree, tree.error * tree.seconds), number(wide, wide.error * wide.seconds));
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", grader::report::csv_field(scene),
+                     wide.primitives, number(linear, linear.seconds), number(tree, tree.seconds),
+                     number(wide, wide.seconds), number(linear, linear.tests),
+                     number(tree, tree.tests), number(linear, linear.error * linear.seconds),
+                     number(tree, tree.error * tree.seconds),
+                     number(wide, wide.error * wide.seconds));
 }
 
 double factor_of(const Cell& linear, const Cell& tree) { return linear.seconds / tree.seconds; }

@@ -89,8 +89,8 @@ TEST_F(NumbersTest, a_remedy_costs_the_mean_factor_of_all_cases) {
   figure.prices = {{"far", "the sphere is far away", "hit_sphere", "reference", "half_b"}};
   const std::string csv =
       "task,case,implementation,ratio,ratio_low,ratio_high,time_x_variance\n"
-      "hit_sphere,\"near\",\"reference\",1,1,1,\n"
-      "hit_sphere,\"near\",\"half_b\",.5,.4216,.5784,\n"
+      "hit_sphere,\"near, lit\",\"reference\",1,1,1,\n"
+      "hit_sphere,\"near, lit\",\"half_b\",.5,.4216,.5784,\n"
       "hit_sphere,\"far\",\"reference\",1,1,1,\n"
       "hit_sphere,\"far\",\"half_b\",.125,.125,.125,\n"
       "hit_sphere,\"alone\",\"half_b\",1000,1000,1000,\n"

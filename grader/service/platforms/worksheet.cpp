@@ -18,6 +18,9 @@
 
 namespace grader::platforms {
 
+using report::CsvCell;
+using report::CsvRow;
+
 namespace {
 
 constexpr std::size_t kMaxWorksheet = std::size_t{64} << 20;  // bytes
@@ -68,7 +71,7 @@ std::string shown(const CsvCell& cell) {
 Worksheet::Worksheet(std::string text, std::string path)
     : text_(std::move(text)),
       path_(std::move(path)),
-      table_(read_csv(text_, path_)),
+      table_(report::read_csv(text_, path_)),
       identifier_(column("Identifier")),
       grade_(column("Grade")),
       maximum_(column("Maximum Grade")),

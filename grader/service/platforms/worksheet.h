@@ -1,7 +1,7 @@
 #pragma once
 
+#include "grader/report/read_csv.h"
 #include "grader/service/platforms/platforms.h"
-#include "grader/service/platforms/read_csv.h"
 
 #include <cstddef>
 #include <functional>
@@ -43,19 +43,19 @@ class Worksheet {
  private:
   // A participant's row, and who hands in for this participant.
   struct Match {
-    const CsvRow* row = nullptr;
+    const report::CsvRow* row = nullptr;
     const GradeRow* learner = nullptr;
     bool alone = false;  // not as a member of a group
   };
   std::vector<Match> matches(const std::vector<GradeRow>& rows) const;
   std::size_t column(const char* name, bool must_be = true) const;
-  void check(const CsvRow& row) const;
-  void check_maximum(const CsvRow& row, int max_points) const;
-  bool is_of(const GradeRow& learner, const CsvRow& row) const;
+  void check(const report::CsvRow& row) const;
+  void check_maximum(const report::CsvRow& row, int max_points) const;
+  bool is_of(const GradeRow& learner, const report::CsvRow& row) const;
   [[noreturn]] void fail(int line, const std::string& what) const;
 
   std::string text_, path_;
-  CsvTable table_;  // the first row names the columns
+  report::CsvTable table_;  // the first row names the columns
   std::size_t identifier_, grade_, maximum_, can_change_, comment_, name_, group_;
 };
 

@@ -1,7 +1,6 @@
 // Moodle's grading worksheet, filled in.
 #include "grader/service/platforms/worksheet.h"
 
-#include "grader/service/platforms/read_csv.h"
 #include "pt/error.h"
 
 #include <string>
@@ -118,7 +117,7 @@ TEST(Worksheet, what_is_none_is_named_with_its_line) {
 
 TEST(ReadCsv, says_where_each_cell_stands) {
   const std::string text = "\"a\"\"\r\nb\";c\n\n;\"\"";
-  const CsvTable table = read_csv(text, "t.csv");
+  const report::CsvTable table = report::read_csv(text, "t.csv");
   EXPECT_EQ(table.separator, ';');
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0].cells[0].value, "a\"\r\nb");

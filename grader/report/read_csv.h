@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader::platforms {
+namespace grader::report {
 
 struct CsvCell {
   std::string value;
@@ -27,4 +27,4 @@ struct CsvTable {
 // quotation is not closed or has text after its closing mark. `path` is for that message.
 CsvTable read_csv(std::string_view text, const std::string& path);
 
-}  // namespace grader::platforms
+}  // namespace grader::report

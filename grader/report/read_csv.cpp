@@ -1,4 +1,4 @@
-#include "grader/service/platforms/read_csv.h"
+#include "grader/report/read_csv.h"
 
 #include "grader/report/csv.h"
 #include "pt/error.h"
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace grader::platforms {
+namespace grader::report {
 
 namespace {
 
@@ -20,8 +20,7 @@ class Reader {
 
   CsvTable run() {
     check_characters();
-    if (text_.starts_with(report::kByteOrderMark))
-      at_ = std::string_view(report::kByteOrderMark).size();
+    if (text_.starts_with(kByteOrderMark)) at_ = std::string_view(kByteOrderMark).size();
     while (at_ < text_.size()) {
       CsvRow row = next_row();
       const bool is_empty = row.cells.size() == 1 && row.cells[0].size == 0;
@@ -115,4 +114,4 @@ CsvTable read_csv(std::string_view text, const std::string& path) {
   return Reader(text, path).run();
 }
 
-}  // namespace grader::platforms
+}  // namespace grader::report
