@@ -61,7 +61,7 @@ const std::map<std::string, std::set<std::string>> kOnly{
       "grader/service/sandbox"}},
     {"grader/service/platforms", {"grader/base", "grader/results", "grader/report"}},
     {kView,
-     {"grader/base", "grader/pictures", "grader/report", "grader/service/process",
+     {"grader/base", "grader/explain", "grader/pictures", "grader/report", "grader/service/process",
       "grader/service/sandbox"}}};
 
 // Rooms whose namespace is not grader:: and the last part of their name.
