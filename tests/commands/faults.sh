@@ -4,22 +4,13 @@
 # stays, and the next run gives the right verdict.
 # faults.sh BUILD: the folder of the build.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-build=$1
-grader=$build/grader
-folder=$(mktemp -d)
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
+build=$1 grader=$1/grader
+stops=yes
 chmod 755 "$folder" # another user judges there
 mounted=
-end() {
-  [ -z "$mounted" ] || umount "$mounted" || true
-  rm -rf "$folder"
-}
-trap end EXIT
-
-complain() {
-  printf '%s\n' "$*"
-  exit 1
-}
+also_end() { [ -z "$mounted" ] || umount "$mounted"; }
 
 # prepare NAME [COMPILER]: makes a folder to grade in, with an empty cache, in $folder/NAME.
 prepare() {

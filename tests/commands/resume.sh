@@ -3,20 +3,12 @@
 # of a run that was never killed, without judging anything twice.
 # resume.sh GRADER: the folder with grade and its grade.json.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
 grader=$1
-folder=$(mktemp -d)
+stops=yes
 running=
-end() {
-  [ -z "$running" ] || kill -9 "$running" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap end EXIT
-
-complain() {
-  printf '%s\n' "$*"
-  exit 1
-}
+also_end() { [ -z "$running" ] || kill -9 "$running" 2>/dev/null; }
 
 # prepare NAME: makes a folder to grade in, with an empty cache. All programs that judge write a line into its
 # `log` for each call; the program for pictures waits for ever at the recipe that `hold` names.

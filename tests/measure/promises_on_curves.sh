@@ -2,12 +2,10 @@
 # Every right solution keeps the promises that its task's curves show, at all places and with all cases.
 # promises_on_curves.sh STABILITY: the program.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-
-"$1" --out "$work" >"$work/text"
-python3 - "$work/stability.json" <<'END'
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../fixtures/shell.sh"
+"$1" --out "$folder" >"$folder/text"
+python3 - "$folder/stability.json" <<'END'
 import json, os, sys
 
 # With their own roulette, so few paths are long that their mean and its error are not measurable.

@@ -5,7 +5,6 @@
 set -euo pipefail
 # shellcheck source=tests/fixtures/browser.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../fixtures/browser.sh"
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 programs=$1/view
 
 cp -r reference "$folder/handed_in"
@@ -157,8 +156,7 @@ return now.has_frame && Math.abs(dot(point.x, point.y)) < 1e-9 && Math.abs(dot(c
 E2
 boxed=$(pgrep -n -f "^$worker ")
 if ! grep -q '"tier":"C"' "$folder/boxed.json" && ! grep -q '^Seccomp:.*2$' "/proc/$boxed/status"; then
-  echo 'FAILED: the tasks of a submission run outside a box'
-  failed=1
+  complain 'the tasks of a submission run outside a box'
 fi
 kill -SEGV "$boxed"  # while it improves the picture
 until_true 'a crash of the tasks is a sentence' <<'E2'
@@ -184,6 +182,6 @@ return document.getElementById('stage').dataset.ready === 'yes' && document.getE
 E2
 # The refused answer of the crash is in the console; nothing else is.
 script >/dev/null <<<''
-post "$session/se/log" '{"type": "browser"}' | grep -o '"message":"[^"]*"' | grep -v '503' && failed=1
-[ "$failed" -eq 0 ] && echo 'the page works'
-exit "$failed"
+post "$session/se/log" '{"type": "browser"}' | grep -o '"message":"[^"]*"' | grep -v '503' >"$folder/console" &&
+  complain "the console says $(cat "$folder/console")"
+finish

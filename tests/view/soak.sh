@@ -5,7 +5,6 @@
 set -euo pipefail
 # shellcheck source=tests/fixtures/browser.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../fixtures/browser.sh"
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=${2:-600} RANDOM=20261126
 [ "$seconds" -ge 120 ] || { echo "soak.sh: at least 120 seconds, not $seconds" >&2; exit 2; }
 
@@ -61,25 +60,20 @@ while [ $((SECONDS - start)) -lt "$seconds" ]; do
   fi
 done
 echo "after $((SECONDS - start)) s, $steps steps and $saves saves: $(sizes)"
-[ "$(number <<<"return document.querySelectorAll('#stage canvas').length;")" = 2 ] || { echo 'FAILED: the page is gone'; failed=1; }
+[ "$(number <<<"return document.querySelectorAll('#stage canvas').length;")" = 2 ] || complain 'the page is gone'
 # Threads and their heaps come with the first requests; a leak of 10 KiB in each request would be more than this.
 kGrowth=32768
 read -r -a before <<<"$first_sizes"
 after=("${now[server]}" "${now[own]}" "${now[reference]}")
 for i in 0 1 2; do
-  [ "${after[i]}" -le $((before[i] + kGrowth)) ] || { echo "FAILED: program $i grew from ${before[i]} to ${after[i]} KiB"; failed=1; }
+  [ "${after[i]}" -le $((before[i] + kGrowth)) ] || complain "program $i grew from ${before[i]} to ${after[i]} KiB"
 done
 
 post "$session/url" '{"url": "about:blank"}' >/dev/null
 kill "$server"
-also_end=:
-wait "$server" || { echo "FAILED: the server ended with $?"; failed=1; }
+wait "$server" || complain "the server ended with $?"
 sleep 0.5
-if pgrep -f "^$folder/(build|right)" >/dev/null; then
-  echo 'FAILED: a program of the tasks is left'
-  failed=1
-fi
+! pgrep -f "^$folder/(build|right)" >/dev/null || complain 'a program of the tasks is left'
 left=$(ls -A "$folder/tmp")
-[ -z "$left" ] || { echo "FAILED: files are left: $left"; failed=1; }
-[ "$failed" -eq 0 ] && echo 'nothing grew, and nothing is left'
-exit "$failed"
+[ -z "$left" ] || complain "files are left: $left"
+finish

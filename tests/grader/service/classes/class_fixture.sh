@@ -1,20 +1,12 @@
 # shellcheck shell=bash
 # For tests, to be sourced: a class of cheap submissions, and a grader that logs what it judges. Sets `folder`, which is
 # removed at the end (with Slurm if it runs there); uses `grader`, the programs' folder.
-cd "$(dirname "${BASH_SOURCE[0]}")/../../../.." || exit
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../../fixtures/shell.sh"
 # shellcheck source=tests/grader/service/classes/slurm_loopback.sh
 . tests/grader/service/classes/slurm_loopback.sh
-folder=$(mktemp -d)
-clean_up() {
-  stop_slurm "$folder/slurm"
-  rm -rf "$folder"
-}
-trap clean_up EXIT
-
-complain() {
-  printf '%s\n' "$*"
-  exit 1
-}
+stops=yes
+also_end() { stop_slurm "$folder/slurm"; }
 
 # pack_learner NUMBER: turns the folder into an archive.
 pack_learner() (

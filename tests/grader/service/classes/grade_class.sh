@@ -3,17 +3,11 @@
 # judges only the changes.
 # grade_class.sh GRADE_CLASS: the program.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../../../.."
+# shellcheck source=tests/fixtures/shell.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../../fixtures/shell.sh"
 program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-
+stops=yes
 options='--jobs 1'
-
-complain() {
-  printf '%s\n' "$*"
-  exit 1
-}
 
 # says STATUS WORDS...: calls it with the words of $options; each word is a line of its output, or part of a line.
 says() {
