@@ -32,6 +32,9 @@ foreach(what right mistakes doors)
   firstlight_script_test(course_${what} rest grader/door/course.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader ${what} NEEDS grade graded grade_class)
 endforeach()
 
+firstlight_script_test(course_right_few rest grader/door/right_clones.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader few NEEDS grade graded)
+firstlight_script_test(course_right_all long grader/door/right_clones.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
+firstlight_script_test(course_dialects rest grader/door/dialects.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
 firstlight_script_test(course_attacks rest grader/door/attacks.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
 
 # Learners' examples of tasks.

@@ -26,7 +26,8 @@ struct OwnPromise {
 
 // A course, where it does not ask for what our contracts ask for.
 struct Dialect {
-  std::string name;                                                 // "CS184, 2022 and later"
+  std::string name;               // "CS184, 2022 and later"
+  bool single_precision = false;  // sums and statistics of floats are right
   std::map<std::string, std::map<std::string, Change>> promises{};  // by slug, by promise
   std::map<std::string, std::string> functions{};                   // by slug: the learner's names
   std::map<std::string, std::vector<OwnPromise>> own{};             // by slug
@@ -36,7 +37,7 @@ struct Dialect {
 
 // The dialect of the clone's years: grader/door/dialects/2022.json. `texts` is the folder
 // grader/door.
-//   {"name": "...", "tasks": {slug: {promise: ["dropped" | "bonus" | "slower", why]}}}
+//   {"name": "...", "single_precision": why, "tasks": {slug: {promise: ["dropped" | "bonus" | "slower", why]}}}
 // Throws pt::Error, with the file and what to do, for anything else.
 Dialect load_dialect(const std::filesystem::path& texts, const Course& course);
 

@@ -3,6 +3,7 @@
 // promise held, 1 if one did not, 2 if nothing could be judged. With --battery it runs the task's
 // battery instead (grader/mistakes/battery.h), and writes the answers.
 #include "grader/base/printable.h"
+#include "grader/check/generators/precision.h"
 #include "grader/check/language/property.h"
 #include "grader/check/wild/search.h"
 #include "grader/mistakes/battery.h"
@@ -178,6 +179,8 @@ int main(int argc, char** argv) {
                         "keep the first input that fails");
   app.add_flag_callback("--no-wild", grader::check::never_wild,
                         "make no calls in scenes of any size");
+  app.add_flag_callback("--single-precision", grader::check::allow_single_precision,
+                        "take statistics in single precision for right");
   app.add_option("--battery", options.battery,
                  "run the battery instead: where to write the answers");
   app.add_option("--draws", options.draws, "draws of the battery: times the usual number")

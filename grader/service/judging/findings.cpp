@@ -43,6 +43,8 @@ std::vector<std::string> command(const Trial& trial, const std::string& report) 
                                  std::string(1, sandbox::letter(trial.request.isolation.tier))};
   if (trial.integrated) words.push_back("--integrated");
   if (trial.request.dialect) words.push_back("--no-wild");
+  if (trial.request.dialect && trial.request.dialect->single_precision)
+    words.push_back("--single-precision");
   if (!trial.promises.empty()) {
     std::string filter;
     for (const std::string& name : trial.promises) filter += "*." + name + ":";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/generators/precision.h"
 #include "grader/check/language/property.h"
 #include "grader/tasks/adaptive_pixel/inputs.h"
 
@@ -36,13 +37,15 @@ enum class Verdict { done, not_done, either };
 // Returns whether a pixel is done after n samples. Sigma divides by n or, if `divides_by_n` is
 // false, by n - 1. The result is `either` if both sides of the condition are equal to the precision
 // of the contract, or if rounding errors decide. A variance that is computed as a small difference,
-// s2 - s1^2 / n, has rounding errors of up to n 2^-52 of the squared mean.
+// s2 - s1^2 / n, has rounding errors of up to n 2^-52 of the squared mean, or n 2^-23 in single precision.
 inline Verdict done_after(const Case& c, int n, bool divides_by_n) {
   const Statistics s = statistics(c, n);
   const double share = divides_by_n ? 1 : static_cast<double>(n) / (n - 1);
   const double half_interval_squared = 1.96 * 1.96 * s.variance * share / n;
   const double limit_squared = std::pow(c.settings.tolerance * s.mean, 2);
-  const double doubt = 2 * kConditionPrecision * limit_squared + 0x1p-50 * s.mean * s.mean;
+  const double rounding = is_single_precision_allowed() ? 0x1p-21 : 0x1p-50;
+  const double doubt =
+      2 * kConditionPrecision * limit_squared + rounding * (s.mean * s.mean + s.variance);
   if (half_interval_squared < limit_squared - doubt) return Verdict::done;
   return half_interval_squared > limit_squared + doubt ? Verdict::not_done : Verdict::either;
 }

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/precision.h"
 #include "grader/check/generators/views.h"
 #include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
@@ -110,6 +111,9 @@ inline Script first_then(Rgb first, int how_often, Rgb then) {
 inline Script lit_once_in(int every, Rgb value, int at = 0) {
   return [=](int i, double) { return i % every == at ? value : Rgb{}; };
 }
+
+// In single precision, rounding errors decide below the larger one.
+inline double least_tolerance() { return is_single_precision_allowed() ? 2e-3 : 1e-4; }
 
 // Any tolerance, often one of the ends.
 inline double any_tolerance() {
@@ -237,7 +241,8 @@ inline rc::Gen<Case> rarely_lit() {
   return rc::gen::exec([] {
     AdaptiveSettings settings = any_settings();
     settings.tolerance = *magnitude(1e-4, 0.05);
-    const Rgb value = *magnitude(1e-25, 1) * *color(0.1, 1);
+    // The square of the least is a number in single precision, where that is allowed.
+    const Rgb value = *magnitude(is_single_precision_allowed() ? 1e-15 : 1e-25, 1) * *color(0.1, 1);
     const int every = settings.batch * *whole(1, 2);
     return pixel(fmt::format("{} every {} samples, else black", brief(value), every), settings,
                  lit_once_in(every, value));

@@ -51,7 +51,8 @@ inline rc::Gen<Known> narrow_after(int batches, double low, double high) {
   return rc::gen::exec([=] {
     const int batch = high > 0.5 ? 4 : 2 * *whole(2, 4);
     const double samples = (batches - 0.4) * batch;
-    const double tolerance = *magnitude(low, std::min(high, 1.86 / std::sqrt(samples)));
+    const double most = std::min(high, 1.86 / std::sqrt(samples));
+    const double tolerance = *magnitude(std::min(std::max(low, least_tolerance()), most), most);
     const double spread = tolerance * std::sqrt(samples) / 1.96;
     const int count = batches * batch;
     return Known{in_turn(spread, {count + *whole(1, 2 * count), batch, tolerance}), count};
@@ -65,7 +66,7 @@ inline rc::Gen<Known> far_from_the_threshold() {
     const bool narrow = *rc::gen::arbitrary<bool>();
     const int batch = *rc::gen::oneOf(whole(2, 20), whole(30, 300));
     const int most = *whole(2, 5) * batch + *whole(0, 1);
-    const double tolerance = narrow ? *real(0.5, 1) : *magnitude(1e-4, 5e-3);
+    const double tolerance = narrow ? *real(0.5, 1) : *magnitude(least_tolerance(), 5e-3);
     const double samples = narrow ? batch / 20.0 : 20.0 * most;
     const double spread = std::min(0.9, tolerance * std::sqrt(samples) / 1.96);
     return Known{in_turn(spread, {most, batch, tolerance}), narrow ? batch : most};

@@ -1,51 +1,15 @@
 #!/usr/bin/env python3
-"""course.py PROGRAMS [right | mistakes | doors]: grades clones of the look-alike of a course's skeleton (tests/fixtures/course/). Right work has all
-points in the dialect of its year; what is handed out earns nothing; each mistake fails in its own task; messages name the learner's
-files."""
+"""course.py PROGRAMS [right | mistakes | doors]: grades clones of the look-alike of a course's skeleton. Right work has all points in
+the dialect of its year; what is handed out earns nothing; each mistake fails in its own task; messages name the learner's files."""
 import json
 import os
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE + "/../../fixtures/course")
-import make_clone  # noqa: E402
-
-PROGRAMS = sys.argv[1]
-complaints = []
-folder = tempfile.TemporaryDirectory()
-
-
-def grade(clone, *words):
-    """(what the command printed, its results.json)"""
-    results = clone + ".json"
-    run = subprocess.run([PROGRAMS + "/grade", *words, "--submission", clone, "--no-pictures", "--quiet", "--json", results],
-                         capture_output=True, text=True, check=False)
-    if run.returncode not in (0, 1):
-        raise SystemExit(f"{clone} {words}: status {run.returncode}: {run.stderr}")
-    with open(results, encoding="utf-8") as file:
-        return run.stdout, json.load(file)
-
-
-def made(name, year, **how):
-    clone = os.path.join(folder.name, name)
-    make_clone.make(year, clone, **how)
-    return clone
-
-
-def expect(holds, what, found):
-    if not holds:
-        complaints.append(f"{what}: {found}")
-
-
-def broken(task):
-    return [promise["name"] for promise in task["promises"] if not promise["held"] and not promise["bonus"]]
-
-
-DIALECTS = {2019: "CS184, 2019 and before", 2020: "CS184, 2020 and 2021", 2022: "CS184, 2022 and later", 2023: "CS184, 2022 and later"}
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from clones import DIALECTS, PROGRAMS, broken, expect, finish, folder, grade, made  # noqa: E402
 
 
 def right_work(years):
@@ -61,9 +25,6 @@ def unwritten(years):
         _, results = grade(made(f"unwritten{year}", year, unwritten=True))
         states = {(task["slug"], task["state"], task["points"]) for task in results["tasks"] if task["state"] != "not_attempted" or task["points"]}
         expect(not states and len(results["tasks"]) == 12, f"what is handed out in {year}", states)
-    _, ours = grade(os.path.join(folder.name, f"unwritten{years[-1]}"), "--dialect", "none")
-    listed = sum(task["max_points"] for task in ours["tasks"])
-    expect(listed > sum(task["max_points"] for task in results["tasks"]) and "contracts" in ours["dialect"], "no dialect", listed)
 
 
 # The task that fails, the promise that says so, and the edit.
@@ -196,5 +157,4 @@ else:
     mistakes()
     seen_here()
     messages()
-print("\n".join(complaints) or "all clones have their verdicts")
-sys.exit(1 if complaints else 0)
+finish()

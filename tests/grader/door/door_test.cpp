@@ -187,8 +187,11 @@ TEST(Dialect, asks_for_a_flag_where_the_skeleton_has_it) {
 // A line that the submission prints gives a mistake a name; a mistake that the judge names costs one promise.
 TEST(Dialect, lets_one_cause_cost_one_promise) {
   const Dialect dialect = dialect_since("2022");
-  const auto named = judged(dialect, "estimate_pixel", "not kept: jitter_from_a_table: 4\n");
+  const std::string name = "not kept: jitter_from_a_table: 4\n";
+  const auto named =
+      judged(dialect, "estimate_pixel", name + "not kept: traces_each_ray_once: 1\n");
   EXPECT_EQ(named.mistake.found_by, results::kNamedOnly);
+  EXPECT_TRUE(judged(dialect, "estimate_pixel", name).mistake.empty()) << "nothing is wrong";
   results::TaskResult tree = judged(dialect, "build_bvh", "not kept: no_fallback: forged\n");
   EXPECT_TRUE(tree.mistake.empty());
   tree.promises = {{"is_one_tree", "", false, false, 1, 0, {}}};
