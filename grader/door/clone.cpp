@@ -34,6 +34,16 @@ bool is_plain(const std::string& name) {
                              [](char c) { return c != '"' && c != '\\' && (c < 0 || c >= ' '); });
 }
 
+// The text with "\n" where a line ends in the way of Windows or of old Macs: compilers take all three.
+std::string with_plain_ends(const std::string& text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+    plain += text[i] == '\r' ? '\n' : text[i];
+  }
+  return plain;
+}
+
 // Reads the folders of a clone, within the bounds.
 class Reader {
  public:
@@ -68,7 +78,7 @@ class Reader {
     if (clone_.files.size() >= kMaxFiles)
       return refuse(fmt::format("of more than {} files", kMaxFiles));
     if (bytes_ > kMaxBytes) return refuse(fmt::format("larger than {} MiB", kMaxBytes >> 20));
-    clone_.files[path.generic_string()] = {file.text, file.rejected};
+    clone_.files[path.generic_string()] = {with_plain_ends(file.text), file.rejected};
   }
 
   fs::path top_;

@@ -71,6 +71,11 @@ TEST_F(CloneOnDisk, is_read_without_links) {
     EXPECT_THAT(file.text, Not(HasSubstr("secret"))) << name;
 }
 
+TEST_F(CloneOnDisk, has_lines_that_end_in_any_way) {
+  write(path("src/ends.h"), "one\rtwo\r\nthree\n\r\rend");
+  EXPECT_EQ(read().find("src/ends.h")->text, "one\ntwo\nthree\n\n\nend");
+}
+
 TEST_F(CloneOnDisk, has_bounds_for_size_and_depth) {
   write(path("src/large.h"), std::string((std::size_t{1} << 20) + 1, ' '));
   EXPECT_THAT(read().find("src/large.h")->refused, HasSubstr("larger than 1 MiB"));
