@@ -167,10 +167,11 @@ void settle_own(const Dialect& dialect, const std::string& printed, const std::s
 void settle_cause(const Dialect& dialect, results::TaskResult& task) {
   const auto adapter = dialect.adapters.find(task.slug);
   if (adapter == dialect.adapters.end()) return;
-  const auto cause = adapter->second.causes.find(task.mistake.name);
-  if (cause == adapter->second.causes.end()) return;
-  const bool explains = std::ranges::all_of(task.promises, [&](const auto& promise) {
-    return promise.held || promise.bonus || std::ranges::count(cause->second, promise.name) > 0;
+  if (!adapter->second.causes.contains(task.mistake.name)) return;
+  const bool explains = std::ranges::all_of(task.promises, [](const auto& promise) {
+    return promise.held || promise.bonus ||
+           std::ranges::count(promise.failures, results::Cause::wrong, &results::Failure::cause) ==
+               0;
   });
   if (explains) task.mistake.found_by = results::kOneCause;
 }

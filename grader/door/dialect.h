@@ -62,7 +62,8 @@ void settle_own(const Dialect& dialect, const std::string& printed, const std::s
 // The text that a task printed, without the lines of the adapter.
 std::string without_notes(const std::string& printed);
 
-// Marks the mistake that the judge has named if it is a cause of the dialect: then it costs one promise.
+// Marks the mistake that the judge has named if it is a cause of the dialect, and all promises are broken by calls that did not end:
+// then it costs one promise.
 void settle_cause(const Dialect& dialect, results::TaskResult& task);
 
 // Makes a result of `task`, which fails with the judge's version of the other task of its pair, one

@@ -56,8 +56,8 @@ Adapter read_adapter(const fs::path& path) {
       adapter.sources = all;
     } else if (what == "function") {
       adapter.functions = all;
-    } else if (what == "cause" && !all.empty()) {
-      adapter.causes[all[0]] = {all.begin() + 1, all.end()};
+    } else if (what == "cause" && all.size() == 1) {
+      adapter.causes.insert(all[0]);
     } else if (what == "together" && all.size() == 1) {
       adapter.together = all[0];
     } else if (what == "stub" && !all.empty()) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct AddedPromise {
 //   function  the name that the learner knows it by; it may be another one in 2019
 //   stub      see above
 //   promise   the first year, the name, and what it says: fl_not_kept(name, ...) says that it is broken
-//   cause     the name of a known mistake of the task, and the promises that it may break: it costs one of them
+//   cause     the name of a known mistake of the task with which calls do not end: the promises that it breaks in this way cost one
 //   named     the name of a mistake, and a sentence: fl_not_kept(name, ...) says that it was seen
 //   together  a task that works perhaps only with this one: then its promise works_with_any says so
 //   ---       the includes of the task follow, and behind another line of this kind our functions
@@ -33,10 +34,9 @@ struct Adapter {
   std::vector<std::string> sources{}, functions{};
   std::vector<Stub> stubs{};
   std::vector<AddedPromise> promises{};
-  // By the name of the mistake: what it breaks, and the sentence.
-  std::map<std::string, std::vector<std::string>> causes{};
-  std::map<std::string, std::string> named{};
-  std::string together{};  // a slug, or empty
+  std::set<std::string> causes{};              // names of mistakes
+  std::map<std::string, std::string> named{};  // by the name: the sentence
+  std::string together{};                      // a slug, or empty
   std::string includes{}, code{};
 };
 

@@ -199,14 +199,16 @@ TEST(Dialect, lets_one_cause_cost_one_promise) {
   EXPECT_TRUE(judged(dialect, "estimate_pixel", name).mistake.empty()) << "nothing is wrong";
   results::TaskResult tree = judged(dialect, "build_bvh", "not kept: no_fallback: forged\n");
   EXPECT_TRUE(tree.mistake.empty());
-  tree.promises = {{"is_one_tree", "", false, false, 1, 0, {}}};
+  results::Failure crash, wrong;
+  crash.cause = results::Cause::crash;
+  tree.promises = {{"is_one_tree", "", false, false, 1, 0, {crash}}};
   tree.mistake.name = "no_fallback";
   settle_cause(dialect, tree);
   EXPECT_EQ(tree.mistake.found_by, results::kOneCause);
   tree.mistake.found_by = "battery";
-  tree.promises.push_back({"separates_along_the_longest_axis", "", false, false, 1, 0, {}});
+  tree.promises.push_back({"separates_along_the_longest_axis", "", false, false, 1, 0, {wrong}});
   settle_cause(dialect, tree);
-  EXPECT_EQ(tree.mistake.found_by, "battery");
+  EXPECT_EQ(tree.mistake.found_by, "battery") << "another mistake is there, too";
 }
 
 TEST(Edits, keep_lines) {
