@@ -37,11 +37,13 @@ std::vector<std::string> Files::saved() {
   if (door::is_clone(folder_)) return saved_in_clone();
   std::vector<std::string> slugs;
   for (const build::TaskConfig& task : config_.tasks) {
-    const std::string now = stamp_of(folder_ + "/" + task.file());
-    std::string& before = stamps_[task.slug];
-    if (now.empty() || now == before) continue;
-    before = now;
-    slugs.push_back(task.slug);
+    for (const std::string& name : {task.slug, task.slug + kExamples}) {
+      const std::string now = stamp_of(fmt::format("{}/{}/{}.cpp", folder_, task.part, name));
+      std::string& before = stamps_[name];
+      if (now.empty() || now == before) continue;
+      before = now;
+      slugs.push_back(name);
+    }
   }
   return slugs;
 }

@@ -8,7 +8,10 @@
 
 namespace grader::watch {
 
-// Notices that task files were saved, however an editor does it: by writing, or by renaming a new
+// The end of the name of a file of examples, before .cpp: "hit_sphere.examples".
+inline constexpr const char* kExamples = ".examples";
+
+// Notices that task files, or examples of a task, were saved, however an editor does it: by writing, or by renaming a new
 // file over the old one.
 class Files {
  public:
@@ -16,8 +19,8 @@ class Files {
   // now count as seen.
   Files(std::string folder, const build::Config& config);
 
-  // The slugs whose files have changed since the last call, in the order of the course. A missing
-  // file has not changed: many editors remove it for a moment. Of a clone, the tasks whose functions
+  // The slugs whose files have changed since the last call, in the order of the course; for a file of examples "hit_sphere.examples".
+  // A missing file has not changed: many editors remove it for a moment. Of a clone, the tasks whose functions
   // have changed; if there are none, those whose text has, with all that it includes.
   std::vector<std::string> saved();
 
@@ -33,7 +36,7 @@ class Files {
 
   std::string folder_;
   const build::Config& config_;
-  std::map<std::string, std::string> stamps_;  // by slug; of a clone, by path
+  std::map<std::string, std::string> stamps_;  // by name; of a clone, by path
   std::map<std::string, Made> made_;           // by slug
 };
 

@@ -1,5 +1,6 @@
 #include "grader/watch/session.h"
 
+#include "grader/base/wrap.h"
 #include "grader/results/json.h"
 #include "grader/service/process/run_command.h"
 #include "grader/watch/fit.h"
@@ -30,6 +31,23 @@ constexpr const char* kPage = "*";  // waits like a task
 constexpr const char* kView = "+";  // as well
 
 bool is_pictures(const std::string& judged) { return judged == kPage || judged == kView; }
+
+bool is_examples(const std::string& judged) { return judged.ends_with(kExamples); }
+
+std::string task_of_examples(const std::string& judged) {
+  return judged.substr(0, judged.rfind(kExamples));
+}
+
+// What ./run printed, without the lines that only say that it is at work (scripts/build.sh).
+std::string without_progress(const std::string& output) {
+  std::string text;
+  for (const std::string& line : base::lines_of(output)) {
+    const auto begins = [&](const char* words) { return line.starts_with(words); };
+    if (begins("building ") || begins("configuring (") || begins("waiting for ")) continue;
+    text += line + '\n';
+  }
+  return text;
+}
 
 std::string time_of_day() {
   const std::time_t now = std::time(nullptr);
@@ -137,7 +155,8 @@ void WatchSession::take_verdict() {
   running_.reset();
   show_verdict(output, *status, seconds);
   // Tasks that call the saved task may have another verdict now; all other verdicts are known.
-  if (!judging_.empty() && !is_pictures(judging_) && waiting_.empty()) waiting_.push_back("");
+  const bool is_task = !judging_.empty() && !is_pictures(judging_) && !is_examples(judging_);
+  if (is_task && waiting_.empty()) waiting_.push_back("");
 }
 
 void WatchSession::start_next() {
@@ -145,6 +164,12 @@ void WatchSession::start_next() {
   judging_ = waiting_.front();
   waiting_.pop_front();
   std::vector<std::string> command{options_.programs + "/grade"};
+  if (is_examples(judging_)) {
+    running_.emplace(std::vector<std::string>{config_.root + "/run", "examples",
+                                              task_of_examples(judging_), "--submission",
+                                              options_.submission});
+    return draw();
+  }
   if (is_pictures(judging_)) {
     if (!page_task_.empty()) command.push_back(page_task_);
     command.insert(command.end(), {"--html", page_path_});
@@ -249,6 +274,7 @@ void WatchSession::take_results() {
 void WatchSession::show_verdict(const std::string& output, int status, double seconds) {
   const std::string what = judging_.empty() ? "all tasks" : judging_;
   if (!is_pictures(judging_)) head_ = fmt::format("{}  {}, {:.1f} s", time_of_day(), what, seconds);
+  if (is_examples(judging_)) return show(without_progress(output));
   try {
     take_results();
   } catch (const std::exception& error) {
@@ -273,7 +299,9 @@ void WatchSession::draw() const {
   const std::string page_tasks = page_task_.empty() ? "all tasks" : page_task_;
   const std::string what = judging_.empty()        ? "checking all tasks"
                            : is_pictures(judging_) ? "rendering the pictures of " + page_tasks
-                                                   : "checking " + judging_;
+                           : is_examples(judging_)
+                               ? "judging the examples of " + task_of_examples(judging_)
+                               : "checking " + judging_;
   ScreenSize room = screen_size();
   room.rows -= 5;
   const std::string now = running_ ? what + " ...  " : "";

@@ -20,8 +20,8 @@ struct WatchOptions {
   report::TerminalStyle style;
 };
 
-// One sitting of a learner: judges everything once, then each task whose file is saved, and answers
-// keys meanwhile. A task stays on the screen until it passes, or another task is saved.
+// One sitting of a learner: judges everything once, then each task whose file, or whose
+// examples, are saved, and answers keys meanwhile. A task stays on the screen until it passes, or another task is saved.
 class WatchSession {
  public:
   WatchSession(const build::Config& config, WatchOptions options);
@@ -56,9 +56,9 @@ class WatchSession {
   Files files_;
   Verdicts verdicts_;
   std::string page_path_;
-  // Slugs to judge; empty: all tasks; kPage: draw the page; kView: the same, for the view.
+  // Slugs to judge; "hit_sphere.examples": its examples; empty: all tasks; kPage: draw the page; kView: the same, for the view.
   std::deque<std::string> waiting_{""};
-  std::string judging_;  // slug that running_ judges
+  std::string judging_;  // what running_ judges
   std::optional<Running> running_;
   std::optional<Running> view_;  // ./run view, until it ends, or another one starts
   std::string view_says_;

@@ -84,6 +84,15 @@ class WatchTest : public testing::Test {
     results::write_json(results, here_ + "/" + task + ".json");
   }
 
+  // Puts a script in the place of ./run.
+  void replace_run(const std::string& script) const {
+    std::string config = pt::read_file(folder_.config());
+    config.replace(config.find(FIRSTLIGHT_ROOT), std::string(FIRSTLIGHT_ROOT).size(), here_);
+    pt::write_file(folder_.config(), config);
+    pt::write_file(here_ + "/run", "#!/bin/sh\n" + script);
+    std::filesystem::permissions(here_ + "/run", std::filesystem::perms::owner_all);
+  }
+
   std::vector<std::string> command() const {
     return {WATCH_PROGRAM, "--submission", here_ + "/student", "--config", folder_.config()};
   }
@@ -208,13 +217,7 @@ TEST_F(WatchTest, draws_the_page_of_pictures_and_opens_it) {
 }
 
 TEST_F(WatchTest, opens_the_view_where_a_picture_fails) {
-  std::string config = pt::read_file(folder_.config());
-  config.replace(config.find(FIRSTLIGHT_ROOT), std::string(FIRSTLIGHT_ROOT).size(), here_);
-  pt::write_file(folder_.config(), config);
-  pt::write_file(
-      here_ + "/run",
-      "#!/bin/sh\necho $$ > \"$(dirname \"$0\")/view\"; echo \"shows $*\"; exec sleep 1000\n");
-  std::filesystem::permissions(here_ + "/run", std::filesystem::perms::owner_all);
+  replace_run("echo $$ > \"$(dirname \"$0\")/view\"; echo \"shows $*\"; exec sleep 1000\n");
   PseudoTerminal terminal(command());
   begin(terminal);
   results::TaskResult task = triangle({"three"});
@@ -237,6 +240,28 @@ TEST_F(WatchTest, opens_the_view_where_a_picture_fails) {
   terminal.type("q");
   expect_exit(terminal, 0);
   EXPECT_NE(kill(view, 0), 0) << "the view goes on";
+}
+
+TEST_F(WatchTest, judges_examples_that_are_saved) {
+  replace_run("echo 'building grade_examples (check) ...' >&2\necho \"ran $*\"\n");
+  PseudoTerminal terminal(command());
+  begin(terminal);
+  for (const char* text : {"// first", "// second, which is longer"}) {
+    save("1_rays/hit_sphere.examples", text);
+    terminal.expect("judging the examples of hit_sphere");
+    const std::string screen =
+        terminal.expect("ran examples hit_sphere --submission " + here_ + "/student");
+    EXPECT_THAT(screen, Not(HasSubstr("building")));
+    terminal.type("f");
+    terminal.expect("got for one");
+  }
+  save("1_rays/hit_triangle", "// second");
+  terminal.expect("got for three");
+  terminal.type("q");
+  expect_exit(terminal, 0);
+  const std::string log = pt::read_file(here_ + "/log");
+  EXPECT_THAT(log, testing::StartsWith("graded all\nfinished all\ngraded hit_triangle\n"));
+  EXPECT_THAT(log, Not(HasSubstr("examples")));
 }
 
 // The screen already shows the next task, which has no pictures yet.
