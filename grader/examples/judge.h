@@ -30,13 +30,13 @@ struct Verdicts {
   std::string fault;  // how the program ended before the first example; empty if it did not
   int rights = 0;
   std::vector<mistakes::Solution> mistakes;
-  // caught[m]: the valid examples that mistake m fails.
-  std::vector<std::vector<std::size_t>> caught;
+  // caught[m]: the first valid example that mistake m fails.
+  std::vector<std::optional<std::size_t>> caught;
 
   std::vector<std::size_t> valid() const;
 };
 
-// Runs the examples with all solutions, each of them twice. In the program the solutions have the numbers of their places.
+// Runs the examples with all solutions. In the program the solutions have the numbers of their places.
 Verdicts judge(const Program& program, const std::vector<mistakes::Solution>& solutions,
                int threads);
 

@@ -71,7 +71,7 @@ Share share_of(const Verdicts& verdicts, const std::string& promise, bool ordina
     if (mistake.is_ordinary != ordinary || (!promise.empty() && mistake.breaks != promise))
       continue;
     ++share.all;
-    share.caught += verdicts.caught[m].empty() ? 0 : 1;
+    share.caught += verdicts.caught[m] ? 1 : 0;
   }
   return share;
 }

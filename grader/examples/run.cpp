@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace grader::examples {
@@ -18,6 +19,7 @@ namespace {
 
 // Far more than any file has.
 constexpr std::size_t kMaxExamples = 1000;
+constexpr int kMaxTooLong = 3;
 
 process::CommandResult start(const Program& program, const std::string& input) {
   base::Pipe pipe = base::make_pipe();
@@ -62,6 +64,16 @@ std::optional<std::size_t> read_lines(const std::string& output, Run& run) {
   return running;
 }
 
+// The outcome of the example that was running when the program ended.
+Outcome outcome_of(const process::CommandResult& result, std::chrono::milliseconds most) {
+  using Seconds = std::chrono::duration<double>;
+  if (result.timed_out)
+    return {Outcome::Kind::too_long,
+            fmt::format("it does not end in {:g} s of processor time", Seconds(most).count())};
+  const std::string how = process::describe_status(result.status);
+  return {Outcome::Kind::ends, "the program ended while it ran (" + how + ")"};
+}
+
 std::string numbers(const std::vector<std::size_t>& all) {
   std::string text;
   for (const std::size_t number : all) text += std::to_string(number) + ' ';
@@ -71,7 +83,7 @@ std::string numbers(const std::vector<std::size_t>& all) {
 }  // namespace
 
 Run run_examples(const Program& program, std::optional<std::size_t> solution,
-                 const std::optional<std::vector<std::size_t>>& only) {
+                 const std::optional<std::vector<std::size_t>>& only, bool until_one_fails) {
   Run run;
   std::vector<std::size_t> left;
   if (only) {
@@ -79,8 +91,9 @@ Run run_examples(const Program& program, std::optional<std::size_t> solution,
   } else {
     for (std::size_t i = 0; i < kMaxExamples; ++i) left.push_back(i);
   }
-  while (true) {
-    const std::string first = solution ? std::to_string(*solution) + '\n' : "";
+  const std::string first =
+      (solution ? std::to_string(*solution) + '\n' : "") + (until_one_fails ? "! " : "");
+  for (int too_long = 0; too_long < kMaxTooLong;) {
     const process::CommandResult result = start(program, first + numbers(left));
     const std::optional<std::size_t> running = read_lines(result.output, run);
     if (!running) {
@@ -88,15 +101,16 @@ Run run_examples(const Program& program, std::optional<std::size_t> solution,
         run.fault = result.timed_out ? "it does not end" : process::describe_status(result.status);
       return run;
     }
-    Outcome& outcome = run.outcomes[*running];
-    if (result.timed_out) {
-      outcome = {Outcome::Kind::too_long, "it does not end"};
-      return run;
-    }
-    outcome = {Outcome::Kind::ends,
-               "the program ended while it ran (" + process::describe_status(result.status) + ")"};
-    left.erase(left.begin(), std::ranges::upper_bound(left, *running));
+    const auto at = std::ranges::lower_bound(left, *running);
+    // The examples before it have used a part of the time: it gets all of it.
+    const bool was_alone = at == left.begin();
+    left.erase(left.begin(), result.timed_out && !was_alone ? at : at + 1);
+    if (result.timed_out && !was_alone) continue;
+    run.outcomes[*running] = outcome_of(result, program.most);
+    too_long += result.timed_out ? 1 : 0;
+    if (until_one_fails) return run;
   }
+  return run;
 }
 
 }  // namespace grader::examples

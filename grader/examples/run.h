@@ -17,7 +17,7 @@ struct Outcome {
     holds,
     fails,
     ends,      // the program ended while it ran
-    too_long,  // it used all the processor time of the run
+    too_long,  // it used the processor time that an example has
   };
   Kind kind = Kind::unknown;
   std::string words;  // the reason, if it does not hold
@@ -37,12 +37,14 @@ struct Run {
 struct Program {
   std::string path;
   sandbox::Tier tier = sandbox::Tier::limits;
-  std::chrono::milliseconds most{1000};  // of processor time, for each run
+  std::chrono::milliseconds most{1000};  // of processor time, for each example
 };
 
 // Runs these examples (by their numbers; all if `only` is empty) with the solution of that number, or with the one that is linked if
-// there is no number. An example that ends the program fails, and the next one runs. After an example that takes too long, no other runs.
+// there is no number. An example that ends the program or takes too long fails, and the next one runs; after three that take too long no
+// other runs. `until_one_fails`: nothing runs after the first that does not hold.
 Run run_examples(const Program& program, std::optional<std::size_t> solution,
-                 const std::optional<std::vector<std::size_t>>& only = {});
+                 const std::optional<std::vector<std::size_t>>& only = {},
+                 bool until_one_fails = false);
 
 }  // namespace grader::examples

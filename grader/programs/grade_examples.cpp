@@ -109,7 +109,7 @@ bool judge_own(const Judge& judge, const build::TaskConfig& task, const Options&
 std::string names_of_caught(const examples::Verdicts& verdicts) {
   std::string names;
   for (std::size_t m = 0; m < verdicts.mistakes.size(); ++m) {
-    if (!verdicts.caught[m].empty()) names += verdicts.mistakes[m].name + '\n';
+    if (verdicts.caught[m]) names += verdicts.mistakes[m].name + '\n';
   }
   return names;
 }

@@ -67,16 +67,37 @@ std::set<std::string> contract_of(const TaskConfig& task) {
   return functions;
 }
 
+// What pt/examples/ defines, besides inline functions.
+constexpr const char* kForExamples[] = {
+    "examples::add",
+    "examples::expect",
+    "examples::near",
+    "scenes::with_rectangle",
+    "scenes::with_screen",
+    "scenes::with_lamp",
+    "scenes::floor_under",
+    "scenes::floor_under_sky",
+    "scenes::floor_under_lamp",
+    "scenes::floor_under_ball",
+    "scenes::furnace",
+    "scenes::ball_with_point_light",
+    "scenes::seen",
+    "scenes::middle_of_floor",
+    "scenes::share_of_sky",
+    "scenes::bright",
+    "scenes::view_of",
+};
+
 // Examples of a task may call it, what pt/examples/ declares, and all that any task may call of the renderer; build_bvh makes
 // the trees that other tasks get.
 Task rules_of_examples(Task task) {
-  for (const Task& each : tasks()) {
-    task.framework.insert(task.framework.end(), each.framework.begin(), each.framework.end());
-  }
-  for (const std::string& function : task.functions) task.framework.push_back("pt::" + function);
-  for (const char* name :
-       {"build_bvh", "example", "scenes", "examples::add", "examples::expect", "examples::near"})
-    task.framework.push_back(std::string("pt::") + name);
+  std::set<std::string> names(task.framework.begin(), task.framework.end());
+  for (const Task& each : tasks()) names.insert(each.framework.begin(), each.framework.end());
+  for (const std::string& function : task.functions) names.insert("pt::" + function);
+  // The last three stand for the headers example.h, inputs.h and scenes.h.
+  names.insert({"pt::build_bvh", "pt::example", "pt::inputs", "pt::scenes"});
+  for (const char* name : kForExamples) names.insert(std::string("pt::") + name);
+  task.framework.assign(names.begin(), names.end());
   return task;
 }
 

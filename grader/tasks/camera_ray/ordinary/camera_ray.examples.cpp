@@ -2,24 +2,21 @@
 #include "pt/tasks/camera_ray.h"
 
 #include "pt/examples/example.h"
+#include "pt/examples/inputs.h"
 
 #include <cmath>
 
 using namespace pt;
+using namespace pt::inputs;
 
 EXAMPLE("less than 1 in 100 ordinary inputs differs") {
   Sampler sampler(1);
-  const auto number = [&] { return 2 * sampler.next_1d() - 1; };
-  const auto vector = [&] {
-    const double x = number(), y = number();
-    return Vec3{x, y, number()};
-  };
   int differ = 0;
   constexpr int kInputs = 20000;
   for (int i = 0; i < kInputs; ++i) {
     Camera camera;
-    camera.position = 5 * vector();
-    const Vec3 back = normalize(vector() + Vec3{1e-3, 0, 0});
+    camera.position = 5 * any_vector(sampler);
+    const Vec3 back = normalize(any_vector(sampler) + Vec3{1e-3, 0, 0});
     camera.camera_to_world = frame_from_normal(back);
     camera.hfov_deg = 20 + 100 * sampler.next_1d();
     camera.vfov_deg = 20 + 100 * sampler.next_1d();

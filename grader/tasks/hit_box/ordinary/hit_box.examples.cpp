@@ -3,11 +3,13 @@
 #include "pt/tasks/hit_box.h"
 
 #include "pt/examples/example.h"
+#include "pt/examples/inputs.h"
 
 #include <algorithm>
 #include <cmath>
 
 using namespace pt;
+using namespace pt::inputs;
 
 // The answer by cutting the range at the two planes of each axis.
 static std::optional<Interval> expected(const Box& box, const Ray& ray) {
@@ -38,28 +40,24 @@ static Vec3 scaled(Vec3 v, Vec3 by) { return {v.x * by.x, v.y * by.y, v.z * by.z
 
 EXAMPLE("less than 1 in 100 ordinary inputs differs") {
   Sampler sampler(1);
-  const auto number = [&] { return 2 * sampler.next_1d() - 1; };
-  const auto vector = [&] {
-    const double x = number(), y = number();
-    return Vec3{x, y, number()};
-  };
   int differ = 0;
   constexpr int kInputs = 20000;
   for (int i = 0; i < kInputs; ++i) {
     Box box;
-    const Vec3 center = 2 * vector();
+    const Vec3 center = 2 * any_vector(sampler);
     Vec3 half{0.1 + sampler.next_1d(), 0.1 + sampler.next_1d(), 0.1 + sampler.next_1d()};
     if (i % 11 == 0 && i % 9 != 0) half[i / 11 % 3] = 0;
     box.grow(center - half);
     box.grow(center + half);
     Ray ray;
-    ray.origin = i % 4 != 0 ? 5 * vector() : center + 0.9 * scaled(half, vector());
-    ray.direction = center + 1.3 * scaled(half, vector()) - ray.origin;
+    ray.origin =
+        i % 4 != 0 ? 5 * any_vector(sampler) : center + 0.9 * scaled(half, any_vector(sampler));
+    ray.direction = center + 1.3 * scaled(half, any_vector(sampler)) - ray.origin;
     if (i % 2 != 0) ray.direction = normalize(ray.direction);
     if (i % 9 == 0) {  // along an axis, aimed at the box
       const int axis = i / 9 % 3;
       const double away = ray.origin[axis];
-      ray.origin = center + 1.2 * scaled(half, vector());
+      ray.origin = center + 1.2 * scaled(half, any_vector(sampler));
       ray.origin[axis] = away;
       ray.direction = {};
       ray.direction[axis] = center[axis] > away ? 1 : -1;

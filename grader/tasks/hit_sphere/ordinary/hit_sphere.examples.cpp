@@ -3,10 +3,12 @@
 #include "pt/tasks/hit_sphere.h"
 
 #include "pt/examples/example.h"
+#include "pt/examples/inputs.h"
 
 #include <cmath>
 
 using namespace pt;
+using namespace pt::inputs;
 
 // The answer by the distance between the centre and the line.
 static std::optional<SurfaceHit> expected(const Sphere& sphere, const Ray& ray) {
@@ -30,18 +32,14 @@ static bool agree(const std::optional<SurfaceHit>& a, const std::optional<Surfac
 
 EXAMPLE("less than 1 in 100 ordinary inputs differs") {
   Sampler sampler(1);
-  const auto number = [&] { return 2 * sampler.next_1d() - 1; };
-  const auto vector = [&] {
-    const double x = number(), y = number();
-    return Vec3{x, y, number()};
-  };
   int differ = 0;
   constexpr int kInputs = 20000;
   for (int i = 0; i < kInputs; ++i) {
-    const Sphere sphere{2 * vector(), 0.2 + 0.8 * sampler.next_1d()};
+    const Sphere sphere{2 * any_vector(sampler), 0.2 + 0.8 * sampler.next_1d()};
     Ray ray;
-    ray.origin = i % 4 != 0 ? 4 * vector() : sphere.center + 0.5 * sphere.radius * vector();
-    ray.direction = sphere.center + 1.2 * sphere.radius * vector() - ray.origin;
+    ray.origin = i % 4 != 0 ? 4 * any_vector(sampler)
+                            : sphere.center + 0.5 * sphere.radius * any_vector(sampler);
+    ray.direction = sphere.center + 1.2 * sphere.radius * any_vector(sampler) - ray.origin;
     if (i % 2 != 0) ray.direction = normalize(ray.direction);
     if (i % 5 == 0) ray.t_max = 4 * sampler.next_1d();
     if (i % 7 == 0) ray.t_min = 3 * sampler.next_1d();
