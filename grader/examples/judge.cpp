@@ -89,12 +89,16 @@ std::vector<std::size_t> Verdicts::valid() const {
 }
 
 Verdicts judge(const Program& program, const std::vector<mistakes::Solution>& solutions,
-               int threads) {
+               int threads, std::optional<std::size_t> only_mistake) {
   std::vector<std::size_t> rights, wrongs;
   Verdicts verdicts;
   for (std::size_t i = 0; i < solutions.size(); ++i) {
-    (solutions[i].is_right() ? rights : wrongs).push_back(i);
-    if (!solutions[i].is_right()) verdicts.mistakes.push_back(solutions[i]);
+    if (solutions[i].is_right()) {
+      rights.push_back(i);
+    } else if (only_mistake.value_or(i) == i) {
+      wrongs.push_back(i);
+      verdicts.mistakes.push_back(solutions[i]);
+    }
   }
   verdicts.rights = static_cast<int>(rights.size());
   // An example that ends the program, or never ends, runs once.

@@ -3,6 +3,7 @@
 #include "grader/examples/run.h"
 #include "grader/mistakes/solutions.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,9 @@ struct Verdicts {
   std::vector<std::size_t> valid() const;
 };
 
-// Runs the examples with all solutions. In the program the solutions have the numbers of their places.
+// Runs the examples with all solutions, or with all right ones and one mistake (its place in `solutions`). In the program the solutions
+// have the numbers of their places.
 Verdicts judge(const Program& program, const std::vector<mistakes::Solution>& solutions,
-               int threads);
+               int threads, std::optional<std::size_t> only_mistake = {});
 
 }  // namespace grader::examples

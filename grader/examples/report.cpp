@@ -59,16 +59,13 @@ std::string row(const Judged& example, int rights) {
   }
 }
 
-struct Share {
-  std::size_t caught = 0, all = 0;
-};
-
-// The share of the mistakes that break the promise (of all mistakes if it is empty) and are caught.
-Share share_of(const Verdicts& verdicts, const std::string& promise, bool ordinary) {
-  Share share;
+// The share of the mistakes that break the promise (of all mistakes if it has no name) and are caught.
+Share share_of(const Verdicts& verdicts, const results::Promise& promise, bool ordinary) {
+  Share share{promise};
   for (std::size_t m = 0; m < verdicts.mistakes.size(); ++m) {
     const mistakes::Solution& mistake = verdicts.mistakes[m];
-    if (mistake.is_ordinary != ordinary || (!promise.empty() && mistake.breaks != promise))
+    if (mistake.is_ordinary != ordinary ||
+        (!promise.name.empty() && mistake.breaks != promise.name))
       continue;
     ++share.all;
     share.caught += verdicts.caught[m] ? 1 : 0;
@@ -78,11 +75,9 @@ Share share_of(const Verdicts& verdicts, const std::string& promise, bool ordina
 
 std::string promises_text(const Verdicts& verdicts, const Texts& texts) {
   std::string rows, question;
-  for (const results::Promise& promise : texts.promises) {
-    const Share share = share_of(verdicts, promise.name, true);
-    if (share.all == 0) continue;
-    rows += fmt::format("  {:48} {:2} of {}\n", promise.title, share.caught, share.all);
-    if (share.caught == 0 && question.empty() && !promise.bonus)
+  for (const auto& [promise, caught, all] : shares(verdicts, texts.promises)) {
+    rows += fmt::format("  {:48} {:2} of {}\n", promise.title, caught, all);
+    if (caught == 0 && question.empty() && !promise.bonus)
       question = fmt::format("\nNo example of yours looks at \"{}\":\n{}", promise.title,
                              indented(report::about(texts.hints[0], promise.name)));
   }
@@ -92,7 +87,7 @@ std::string promises_text(const Verdicts& verdicts, const Texts& texts) {
 std::string catch_text(const Verdicts& verdicts, const Texts& texts) {
   const std::size_t valid = verdicts.valid().size();
   if (valid == 0) return "\nNo example is valid yet, so none is tried on wrong solutions.\n";
-  const Share bar = share_of(verdicts, "", true), rare = share_of(verdicts, "", false);
+  const Share bar = share_of(verdicts, {}, true), rare = share_of(verdicts, {}, false);
   const std::string more =
       rare.all == 0 ? ""
                     : fmt::format("\nThey also catch {} of {} that only rare inputs show.\n",
@@ -113,16 +108,29 @@ Texts texts_of(const std::string& root, const std::string& slug) {
           precision_in(header)};
 }
 
+std::vector<Share> shares(const Verdicts& verdicts, const std::vector<results::Promise>& promises) {
+  std::vector<Share> all;
+  for (const results::Promise& promise : promises) {
+    const Share share = share_of(verdicts, promise, true);
+    if (share.all > 0) all.push_back(share);
+  }
+  return all;
+}
+
+std::string rows_text(const Verdicts& verdicts) {
+  std::string text;
+  for (const Judged& example : verdicts.examples) text += row(example, verdicts.rights);
+  return text;
+}
+
 std::string to_text(const Verdicts& verdicts, const Texts& texts) {
   std::string text =
       fmt::format("{}: {}, held against {} right and {} wrong solutions\n\n", texts.slug,
                   counted(verdicts.examples.size(), "example", "examples"), verdicts.rights,
-                  verdicts.mistakes.size());
-  bool strict = false;
-  for (const Judged& example : verdicts.examples) {
-    text += row(example, verdicts.rights);
-    strict = strict || example.verdict == Verdict::too_strict;
-  }
+                  verdicts.mistakes.size()) +
+      rows_text(verdicts);
+  const bool strict =
+      std::ranges::count(verdicts.examples, Verdict::too_strict, &Judged::verdict) > 0;
   if (strict && !texts.precision.empty())
     text += "\nToo strict: the contract leaves it open.\n" + indented(texts.precision);
   return text + catch_text(verdicts, texts);

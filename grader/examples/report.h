@@ -23,6 +23,17 @@ struct Texts {
 // Reads them from the contract and the hints of a task. `root`: the folder of the project.
 Texts texts_of(const std::string& root, const std::string& slug);
 
+// Of the ordinary mistakes that break a promise, how many are caught.
+struct Share {
+  results::Promise promise;
+  std::size_t caught = 0, all = 0;
+};
+// For each promise that has such mistakes.
+std::vector<Share> shares(const Verdicts& verdicts, const std::vector<results::Promise>& promises);
+
+// A line for each example.
+std::string rows_text(const Verdicts& verdicts);
+
 // Names no mistake: they are counted by the promises that they break.
 std::string to_text(const Verdicts& verdicts, const Texts& texts);
 

@@ -43,7 +43,8 @@ Scene ball_with_point_light(Rgb albedo);
 // The point of the scene that one sees from `eye` towards `target`.
 SurfacePoint seen(const Scene& scene, Vec3 eye, Vec3 target);
 
-// The middle of the floor, seen from close above.
+// The middle of the floor, seen from close above. In examples of trace_path, diffuse_sample draws uniform directions where a surface is
+// seen from straight above, and cosine-weighted ones elsewhere: both are right.
 SurfacePoint middle_of_floor(const Scene& scene);
 
 // The light that a surface at p with the normal n gets from a rectangle of radiance 1, as a part of the light that it would get from a white

@@ -53,6 +53,21 @@ expect 1 'Your own hit_sphere fails 7 of your 15 valid examples' "$judge" hit_sp
 cp reference/1_rays/hit_sphere.cpp "$folder"
 expect 0 'Your own hit_sphere passes your 15 valid examples.' "$judge" hit_sphere --submission "$folder"
 
+# The hunt: good examples find each of the wrong solutions that a seed chooses, weak ones do not find those that only they find.
+"$judge" hit_sphere --hunt --seed 1 --submission $files/weak >"$folder/first" && complain "weak examples find solution 1"
+"$judge" hit_sphere --hunt --seed 1 --submission $files/weak >"$folder/again" || diff "$folder/first" "$folder/again" || complain 'a seed is not enough'
+for seed in 1 2 3 4; do
+  expect 0 'Found: it fails "' "$judge" hit_sphere --hunt --seed $seed --submission $files/good
+  says 'Which line is wrong?' 'std::optional<SurfaceHit> hit_sphere'
+  grep -q '^> ' "$folder/said" && complain "seed $seed: the line is marked before it is looked for"
+  sed -n 's/^Found: .*because //p' "$folder/said" >>"$folder/reasons"
+  expect 0 'Found: it fails "' "$judge" hit_sphere --hunt --show --seed $seed --submission $files/good
+  [ "$(grep -c '^> ' "$folder/said")" -le 3 ] || complain "seed $seed: more than the wrong lines are marked"
+done
+[ "$(sort -u "$folder/reasons" | wc -l)" -gt 1 ] || complain 'all seeds choose the same solution'
+expect 1 'agrees with all valid examples' "$judge" hit_sphere --hunt --seed 1 --submission $files/weak
+expect 1 'no right solution agrees' "$judge" hit_sphere --hunt --seed 1 --submission $files/wrong
+
 # Every stub has an example that is valid.
 expect 0 '  valid       ' ./run examples hit_sphere
 finish
