@@ -73,7 +73,7 @@ update() {
 
 # submit [FILE.zip]: grades the promises of all tasks, and packs their files with the table.
 submit() {
-  local target=${1:-firstlight-submission.zip} slug file files=() conflicts graded half status=0
+  local target=${1:-firstlight-submission.zip} slug file files=() examples=() conflicts graded half status=0
   case $target in *.zip) ;; *) fail "the archive has to be a .zip: ./run submit mine.zip" ;; esac
   target=$(realpath -m -- "$target")
   cd "$root"
@@ -81,6 +81,8 @@ submit() {
     file=$(task_file "$slug")
     [ -n "$file" ] || fail "there is no $slug.cpp in student/: all $(tasks_meant | wc -l) files have to be handed in, stubs too"
     files+=("$file")
+    file=${file%.cpp}.examples.cpp
+    [ ! -e "student/$file" ] || examples+=("$file")
   done < <(tasks_meant)
   conflicts=$(cd student && grep -nE '^(<<<<<<<|>>>>>>>)( |$)' "${files[@]}" | cut -d: -f1,2 | paste -sd' ') || true
   [ -z "$conflicts" ] || fail "a merge is not finished: remove the conflict markers first (student/: $conflicts)"
@@ -91,11 +93,11 @@ submit() {
   # shellcheck disable=SC2064
   trap "rm -rf ${half@Q} ${target@Q}.half" EXIT
   printf '%s\n' "$graded" >"$half/graded.txt"
-  for file in "${files[@]}"; do
+  for file in "${files[@]}" ${examples[@]+"${examples[@]}"}; do
     mkdir -p "$half/$(dirname "$file")"
     cp "student/$file" "$half/$file"
   done
-  (cd "$half" && cmake -E tar cf "$target.half" --format=zip -- graded.txt "${files[@]}") || fail "$target cannot be written"
+  (cd "$half" && cmake -E tar cf "$target.half" --format=zip -- graded.txt "${files[@]}" ${examples[@]+"${examples[@]}"}) || fail "$target cannot be written"
   mv "$target.half" "$target"
-  echo "$target: ${#files[@]} files, and the table above. Pictures were not graded: ./run grade does that."
+  echo "$target: ${#files[@]} files, ${#examples[@]} files of examples, and the table above. Pictures were not graded: ./run grade does that."
 }

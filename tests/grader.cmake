@@ -39,6 +39,8 @@ firstlight_script_test(course_attacks rest grader/door/attacks.py ARGUMENTS ${PR
 
 # Learners' examples of tasks.
 firstlight_script_test(examples quick grader/examples/examples.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS grade_examples examples.hit_sphere)
+firstlight_script_test(examples_of_a_class rest grader/examples/class.sh ARGUMENTS ${PROJECT_BINARY_DIR}
+  NEEDS grade grade_class grade_examples graded.hit_sphere known.hit_sphere examples.hit_sphere)
 set(needed)
 file(GLOB good RELATIVE ${tests}/fixtures/examples/good ${tests}/fixtures/examples/good/*.cpp)
 foreach(file IN LISTS good)

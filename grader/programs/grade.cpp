@@ -3,6 +3,7 @@
 #include "grader/service/judging/grade.h"
 
 #include "grader/base/files.h"
+#include "grader/programs/examples_in_results.h"
 #include "grader/programs/grade_options.h"
 #include "grader/report/hints.h"
 #include "grader/report/status_line.h"
@@ -172,6 +173,10 @@ int name_programs(const build::Config& config, const GradeOptions& options) {
   for (const std::string& slug : judging::tasks_judged(config, asked)) {
     fmt::print("graded.{0}\nknown.{0}\n", slug);
   }
+  const results::Points points = results::load_points(config.root + "/grader/points.json");
+  for (const std::string& slug : with_points_for_examples(points, asked)) {
+    fmt::print("grade_examples\nexamples.{}\n", slug);
+  }
   if (options.no_pictures) return 0;
   const auto taken = taken_in(config, options);
   const bool is_refused = taken && !taken->found().problem.empty();
@@ -252,12 +257,16 @@ int run(Words words) {
   std::optional<report::StatusLine> line(std::in_place, options.quiet
                                                             ? report::StatusLine::Output::none
                                                             : report::StatusLine::standard());
-  const results::Results results =
-      judging::grade(config, request, [&](const results::Results& so_far) {
-        reports.write(so_far);
-        show_progress(*line, so_far);
-      });
+  results::Results results = judging::grade(config, request, [&](const results::Results& so_far) {
+    reports.write(so_far);
+    show_progress(*line, so_far);
+  });
   line.reset();
+  if (request.refused.empty()) {
+    add_examples(config, options.config.empty() ? build::default_config_path() : options.config,
+                 request.submission, results);
+    reports.write(results);
+  }
   if (request.pictures) unfinished.end();
   report::remember_failures(config.work, results);
   if (!request.note.empty()) fmt::print("Of the files, {}.\n", results::one_line(request.note));

@@ -57,6 +57,8 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
       points.too_noisy = read_number(value, place);
     } else if (name == "keeps_state") {
       points.keeps_state = read_number(value, place);
+    } else if (name == "examples") {
+      points.examples = read_number(value, place);
     } else if (name == "one_cause") {
       points.one_cause = read_share(value, place);
     } else if (name == "promises" || name == "pictures") {
@@ -64,7 +66,7 @@ TaskPoints read_task(const json& from, TaskPoints points, const std::string& whe
     } else {
       throw pt::Error(place +
                       " means nothing; write promise, picture, too_noisy, keeps_state, "
-                      "one_cause, promises or "
+                      "one_cause, examples, promises or "
                       "pictures");
     }
   }
@@ -92,7 +94,8 @@ Points read_tasks(const json& from, const TaskPoints& usual) {
 }
 
 void multiply(TaskPoints& points, int weight) {
-  for (int* each : {&points.promise, &points.picture, &points.too_noisy, &points.keeps_state}) {
+  for (int* each : {&points.promise, &points.picture, &points.too_noisy, &points.keeps_state,
+                    &points.examples}) {
     *each *= weight;
   }
   for (auto* special : {&points.promises, &points.pictures}) {
@@ -178,7 +181,9 @@ void count_points(const Points& points, TaskResult& result) {
   const TaskPoints& task = found == points.end() ? TaskPoints{} : found->second;
   result.points = result.max_points = result.bonus_points = 0;
   for (PromiseResult& promise : result.promises) {
-    promise.points = worth(task.promise, task.promises, promise.name);
+    promise.points = promise.name.starts_with(kExamples)
+                         ? task.examples
+                         : worth(task.promise, task.promises, promise.name);
     const int earned = is_kept_by_itself(promise) ? promise.points : 0;
     (promise.bonus ? result.bonus_points : result.points) += earned;
     if (!promise.bonus) result.max_points += promise.points;

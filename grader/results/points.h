@@ -14,11 +14,16 @@ struct TaskPoints {
   int too_noisy = 0;                    // for a picture that is right on average
   int keeps_state = 0;                  // the cost of a variable that keeps its value
   double one_cause = 1;                 // the share of the promises' points that one cause may take
+  int examples = 0;                     // the bonus for each row of examples (kExamples)
   std::map<std::string, int> promises;  // by name: promises with other points
   std::map<std::string, int> pictures;  // by recipe
 };
 
 using Points = std::map<std::string, TaskPoints>;  // by slug
+
+// The names of promises that a learner's examples keep, not the task, begin with this. They are bonus promises: the examples catch all
+// ordinary mistakes that break the promise whose name follows.
+inline constexpr const char* kExamples = "examples:";
 
 // Mistake::found_by of a mistake that costs no more than one promise: a dialect says so.
 inline constexpr const char* kOneCause = "one cause";
@@ -28,7 +33,7 @@ inline constexpr const char* kNamedOnly = "named";
 // Reads grader/points.json:
 //   {"parts": {part: n},
 //    "default": {"promise": n, "picture": n, "too_noisy": n, "keeps_state": n,
-//                "one_cause": share},
+//                "one_cause": share, "examples": n},
 //    "tasks": {slug: {as above, "promises": {name: n}, "pictures": {recipe: n}}}}
 // A task that "tasks" does not name has the points of the default; one that is not in the table of
 // tasks is refused.

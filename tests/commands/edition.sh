@@ -126,11 +126,11 @@ refuses 'nothing was packed' ./run submit ../one.zip
 [ ! -e ../one.zip ] || complain "files that cannot be graded are packed"
 echo 1 >status
 (cd student && ../run submit ../../two.zip >"$folder/said") || complain "submit ends with $?"
-grep -q 'two.zip: 12 files' "$folder/said" && grep -q 'the table, of: --no-pictures' "$folder/said" || complain "submit says: $(cat "$folder/said")"
+grep -q 'two.zip: 12 files, 12 files of examples' "$folder/said" && grep -q 'the table, of: --no-pictures' "$folder/said" || complain "submit says: $(cat "$folder/said")"
 mkdir ../unpacked
 (cd ../unpacked && cmake -E tar xf ../two.zip)
 has ../unpacked/graded.txt 'the table, of: --no-pictures'
-diff <(cd ../unpacked && find . -type f ! -name graded.txt | sort) <(cd student && find . -mindepth 2 -name '*.cpp' ! -name '*.examples.cpp' ! -name hit_box_2.cpp | sort) ||
+diff <(cd ../unpacked && find . -type f ! -name graded.txt | sort) <(cd student && find . -mindepth 2 -name '*.cpp' ! -name hit_box_2.cpp | sort) ||
   complain "other files are handed in"
 has ../unpacked/1_rays/hit_triangle.cpp mine
 refuses 'the archive has to be a .zip' ./run submit mine.rar

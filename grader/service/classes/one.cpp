@@ -69,9 +69,12 @@ Key key_of(const Judging& judging, const intake::HandedIn& by) {
   key += std::to_string(judging.seed);
   if (by.course) key += door::year_of(*by.course);
   const std::string root = base::submission_root(by.folder);
+  const results::Points points = results::load_points(points_file(judging));
   for (const build::TaskConfig& task : config.tasks) {
     const base::Submitted file = base::read_submitted(root, task.part, task.slug);
     key += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
+    if (points.at(task.slug).examples > 0)
+      key += base::sha256(base::read_submitted(root, task.part, task.slug + ".examples").text);
     if (!task.graded.empty()) key += stamp(task.graded);
     const std::string known = judging::known_path(task);
     if (fs::exists(known)) key += stamp(known);

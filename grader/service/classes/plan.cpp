@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/json_text.h"
 #include "grader/base/sha256.h"
+#include "grader/results/points.h"
 #include "grader/service/classes/folders.h"
 #include "grader/service/classes/identity.h"
 #include "grader/service/intake/boxed_readers.h"
@@ -58,8 +59,9 @@ std::string year_of(const intake::HandedIn& by) {
   return by.course ? door::year_of(*by.course) : "";
 }
 
-// A text that is equal for equal task files; empty if there are no task files.
-std::string content_of(const build::Config& config, const intake::HandedIn& by) {
+// A text that is equal for equal task files, and equal examples where these earn points; empty if there are no task files.
+std::string content_of(const build::Config& config, const results::Points& points,
+                       const intake::HandedIn& by) {
   const std::string root = base::submission_root(by.folder);
   std::string all = year_of(by);
   bool any = false;
@@ -67,6 +69,8 @@ std::string content_of(const build::Config& config, const intake::HandedIn& by) 
     const base::Submitted file = base::read_submitted(root, task.part, task.slug);
     any = any || file.present;
     all += fmt::format("{} {} {}\n", file.present, file.rejected, base::sha256(file.text));
+    if (points.at(task.slug).examples > 0)
+      all += base::sha256(base::read_submitted(root, task.part, task.slug + ".examples").text);
   }
   return any ? base::sha256(all) : "";
 }
@@ -76,12 +80,13 @@ std::vector<Equal> groups_of(const build::Config& config,
                              std::vector<intake::HandedIn>& everybody) {
   std::vector<Equal> groups;
   std::map<std::string, std::size_t> known;
+  const results::Points points = results::load_points(config.root + "/grader/points.json");
   for (std::size_t i = 0; i < everybody.size(); ++i) {
     intake::HandedIn& by = everybody[i];
     if (!by.problem.empty()) continue;
     std::string content;
     try {
-      content = content_of(config, by);
+      content = content_of(config, points, by);
     } catch (const std::exception& error) {
       by.problem = pt::sentence_of(error);
       continue;

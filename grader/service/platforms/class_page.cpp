@@ -4,6 +4,7 @@
 #include "grader/report/html_picture.h"
 #include "grader/report/page/sources.h"
 #include "grader/results/order.h"
+#include "grader/results/points.h"
 #include "grader/results/presentable.h"
 #include "grader/service/platforms/page/sources.h"
 
@@ -187,14 +188,18 @@ void ClassPage::add(const ClassRow& row, const results::Results& exact) {
 }
 
 void ClassPage::count(const results::TaskResult& task) {
-  // A learner who has not begun does not count: nothing was hard yet.
-  if (task.state == results::State::not_attempted) return;
-  if (!task.mistake.empty()) ++mistakes_[{task.slug, task.mistake.sentence}];
   const auto enter = [](Count& count, const std::string& title, bool right) {
     count.title = title;
     ++count.judged;
     count.right += right ? 1 : 0;
   };
+  for (const results::PromiseResult& promise : task.promises) {
+    if (promise.name.starts_with(results::kExamples))
+      enter(examples_[{task.slug, promise.name}], promise.words, promise.held);
+  }
+  // A learner who has not begun does not count: nothing was hard yet.
+  if (task.state == results::State::not_attempted) return;
+  if (!task.mistake.empty()) ++mistakes_[{task.slug, task.mistake.sentence}];
   for (const results::PromiseResult& promise : task.promises) {
     if (promise.bonus || !results::is_judged(task, promise)) continue;
     enter(promises_[{task.slug, promise.name}],
@@ -213,7 +218,7 @@ std::string ClassPage::to_html() const {
   std::vector<Entry> lines = lines_;
   std::sort(lines.begin(), lines.end(),
             [](const Entry& a, const Entry& b) { return a.row.name < b.row.name; });
-  data promises, pictures;
+  data promises, pictures, examples;
   promises.set("anchor", "promises");
   promises.set("heading", "Promises that are hard to keep");
   promises.set("note", "of those who have begun the task");
@@ -226,9 +231,16 @@ std::string ClassPage::to_html() const {
   pictures.set("right_head", "Right for");
   pictures.set("title_head", "Picture");
   pictures.set("first_head", false);
+  examples.set("anchor", "examples");
+  examples.set("heading", "Mistakes that examples do not catch");
+  examples.set("note", "of those who have handed in examples of the task");
+  examples.set("right_head", "Caught by");
+  examples.set("title_head", "Examples");
+  examples.set("first_head", false);
   data counts{data::type::list};
   add_counts(counts, promises_, tasks_, promises);
   add_counts(counts, pictures_, tasks_, pictures);
+  add_counts(counts, examples_, tasks_, examples);
   data out, tasks{data::type::list}, rows{data::type::list};
   for (const std::string& slug : tasks_) tasks.push_back(data{"slug", slug});
   for (const Entry& line : lines) rows.push_back(row_data(line, tasks_));

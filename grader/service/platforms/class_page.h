@@ -53,6 +53,7 @@ class ClassPage {
   std::vector<Entry> lines_;
   std::vector<std::string> tasks_;  // slugs, in the order of the course
   Counts promises_, pictures_;
+  Counts examples_;              // by promise: whether the learner's examples catch what breaks it
   std::map<Key, int> mistakes_;  // by task and sentence
 };
 

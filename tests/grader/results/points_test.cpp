@@ -245,6 +245,23 @@ TEST(points, are_one_for_a_promise_and_one_for_a_picture_if_the_file_says_nothin
   }
 }
 
+TEST(points, of_examples_are_a_bonus_and_not_those_of_a_promise) {
+  TaskResult task;
+  task.slug = "hit_box";
+  task.promises.push_back({"first", "", false, true, 0, 0, {}});
+  task.promises.push_back({"examples:first", "", true, true, 0, 0, {}});
+  task.promises.push_back({"examples:second", "", true, false, 0, 0, {}});
+  Points points{{"hit_box", {}}};
+  count_points(points, task);
+  EXPECT_EQ(task.bonus_points, 0);
+  points["hit_box"].promise = 2;
+  points["hit_box"].examples = 3;
+  count_points(points, task);
+  EXPECT_EQ(task.points, 2);
+  EXPECT_EQ(task.max_points, 2);
+  EXPECT_EQ(task.bonus_points, 3);
+}
+
 TEST(points, are_refused_with_what_is_wrong_and_where) {
   const auto task = [](const std::string& inside) {
     return R"({"default": {}, "tasks": {"hit_box": )" + inside + "}}";

@@ -66,6 +66,22 @@ TEST(ClassPage, lists_every_promise_with_those_who_read_of_it_first) {
                              "<td>the second: promise"));
 }
 
+TEST(ClassPage, counts_whose_examples_catch_what_breaks_a_promise) {
+  ClassPage page;
+  EXPECT_THAT(page.to_html(), Not(HasSubstr("Examples")));
+  for (const bool caught : {true, false, false}) {
+    // Examples are written before the task.
+    results::Results run = run_with(State::not_attempted, false, false, 0);
+    run.tasks[0].promises.push_back(
+        {"examples:first", "examples catch it", true, caught, 0, 0, {}});
+    page.add({"a", "", "a.html", "", false}, run);
+  }
+  page.add({"d", "", "d.html", "", false}, run_with(State::not_attempted, false, false, 0));
+  const std::string html = page.to_html();
+  EXPECT_THAT(html, HasSubstr("Mistakes that examples do not catch"));
+  EXPECT_THAT(html, HasSubstr(">1 of 3</td><td><code>hit_box</code></td><td>examples catch it"));
+}
+
 // Each number of points from 0 on occurs once, 137 in all.
 TEST(ClassPage, every_number_of_points_is_in_one_bin) {
   ClassPage page;
