@@ -1,6 +1,6 @@
 // The main program of ./run examples in the box. It is linked with a learner's examples and with solutions of the task. Its input
-// has the numbers of the examples to run, and begins with ! if the first that does not hold is to be the last; it prints a line about each (grader/examples/run.h reads them). It has no secret: nothing
-// that it prints says more than what the solution answered.
+// has the numbers of the examples to run, and begins with ! if the first that does not hold is to be the last. It prints a line about
+// each (grader/examples/run.h reads them). It has no secret: nothing that it prints says more than what the solution answered.
 #include "pt/examples/example.h"
 #include "pt/printable.h"
 #include "pt/todo_list.h"

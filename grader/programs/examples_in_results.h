@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// Points for a learner's own examples (grader/points.json: examples). They are judged by the program grade_examples, which is next to grade.
+// Points for a learner's own examples (grader/points.json: examples). The program grade_examples, next to grade, judges them.
 
 namespace grader::programs {
 

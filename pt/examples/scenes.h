@@ -47,8 +47,8 @@ SurfacePoint seen(const Scene& scene, Vec3 eye, Vec3 target);
 // seen from straight above, and cosine-weighted ones elsewhere: both are right.
 SurfacePoint middle_of_floor(const Scene& scene);
 
-// The light that a surface at p with the normal n gets from a rectangle of radiance 1, as a part of the light that it would get from a white
-// sky: Lambert's formula. The whole rectangle lies above the surface, and p sees its bright side.
+// The light that a surface at p with the normal n gets from a rectangle of radiance 1, as a part of the light that it would get from a
+// white sky: Lambert's formula. The whole rectangle lies above the surface, and p sees its bright side.
 double share_of_sky(Vec3 p, Vec3 n, Vec3 center, Vec3 u, Vec3 v);
 
 // A rectangle that shines, before black: what view_of sees is 1 where left <= x <= right and bottom <= y <= top, and 0 elsewhere. The

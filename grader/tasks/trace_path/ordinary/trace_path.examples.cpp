@@ -1,5 +1,6 @@
-// Ordinary inputs: 120 scenes, with 200 or 3,000 paths for each: furnaces, balls with a point light in the middle, floors beside a wall in the
-// sun, and floors in the open. The settings are any bounces up to 6, any chance to survive from 0.5, and both estimators of direct light.
+// Ordinary inputs: 120 scenes, with 200 or 3,000 paths for each: furnaces, balls with a point light in the middle, floors beside a wall
+// in the sun, and floors in the open. The settings are any bounces up to 6, any chance to survive from 0.5, and both estimators of
+// direct light.
 #include "pt/tasks/trace_path.h"
 
 #include "pt/examples/example.h"
