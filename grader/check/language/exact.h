@@ -2,6 +2,8 @@
 
 #include "pt/math/vec3.h"
 
+#include <cmath>
+
 // Arithmetic of 113 bits, if the compiler has it: an oracle for tasks that compute in double.
 
 namespace grader::check {
@@ -31,5 +33,10 @@ inline Exact3 cross(Exact3 a, Exact3 b) {
 // Rounds a small difference that was computed exactly.
 inline double rounded(Exact a) { return static_cast<double>(a); }
 inline pt::Vec3 rounded(Exact3 a) { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }
+
+// Roots have the precision of long double.
+inline long double root(Exact a) { return std::sqrt(static_cast<long double>(a)); }
+inline long double length(Exact3 a) { return root(dot(a, a)); }
+inline Exact3 normalize(Exact3 a) { return 1 / Exact(length(a)) * a; }
 
 }  // namespace grader::check

@@ -13,17 +13,17 @@ using namespace check;
 
 using namespace hit_sphere_inputs;
 
-double is_on_the_sphere(const Chord& line, double t) {
-  return flag(std::abs(distance_from_centre(line.sphere, line.ray, t) - 1) < 1e-6);
+double is_on_the_sphere(const Chord& line, const pt::SurfaceHit& hit) {
+  return flag(off(line, hit).point < 1e-6);
 }
 
 void ask(Battery& battery, Chord line, double t_min = 0, double t_max = pt::kInfinity) {
   line.ray.t_min = t_min;
   line.ray.t_max = t_max;
   battery.ask([&]() -> Battery::Numbers {
-    const auto hit = pt::hit_sphere(line.sphere, line.ray);
+    const auto hit = call(line);
     if (!hit) return {};
-    return {hit->t / line.t_far, hit->n.x, hit->n.y, hit->n.z, is_on_the_sphere(line, hit->t)};
+    return {hit->t / line.t_far, hit->n.x, hit->n.y, hit->n.z, is_on_the_sphere(line, *hit)};
   });
 }
 
@@ -90,9 +90,9 @@ void extremes(Battery& battery, RandomNumbers& make) {
 // touches, right solutions differ in t and n.
 void ask_point(Battery& battery, const Chord& line) {
   battery.ask([&]() -> Battery::Numbers {
-    const auto hit = pt::hit_sphere(line.sphere, line.ray);
+    const auto hit = call(line);
     if (!hit) return {};
-    return {is_on_the_sphere(line, hit->t)};
+    return {is_on_the_sphere(line, *hit)};
   });
 }
 

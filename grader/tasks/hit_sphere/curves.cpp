@@ -1,7 +1,6 @@
 #include "grader/check/language/curve.h"
 #include "grader/check/language/property.h"
 #include "grader/tasks/hit_sphere/inputs.h"
-#include "pt/tasks/hit_sphere.h"
 
 #include <cmath>
 
@@ -10,10 +9,10 @@ namespace {
 
 using namespace hit_sphere_inputs;
 
-double t_of_hit(const pt::Sphere& sphere, const pt::Ray& ray) {
-  const auto hit = pt::hit_sphere(sphere, ray);
+pt::SurfaceHit hit_of(const Chord& c) {
+  const auto hit = call(c);
   expect(hit.has_value(), "a hit", "no hit");
-  return hit->t;
+  return *hit;
 }
 
 std::vector<Method> methods() {
@@ -32,8 +31,8 @@ CURVE(hit_sphere, far_away) {
           .promised = {{1, 1e3, at_most(kPrecision)}, {1, 1e7, at_most(kPrecision), true}},
           .methods = methods(),
           .measure = [](double distance) {
-            const Aimed aimed = *aimed_from(distance, distance);
-            return off_the_sphere(aimed, t_of_hit(aimed.sphere, aimed.ray));
+            const Chord c = *aimed_from(distance, distance);
+            return off(c, hit_of(c)).point;
           }};
 }
 
@@ -49,8 +48,8 @@ CURVE(hit_sphere, huge) {
       .promised = {{1e3, 1e6, [](double radius) { return kPrecision * radius; }}},
       .methods = methods(),
       .measure = [](double radius) {
-        const Ground c = *ground(radius);
-        return std::abs(t_of_hit(c.sphere, c.ray) / c.t - 1);
+        const Chord c = *ground(radius);
+        return std::abs(hit_of(c).t / c.t_near - 1);
       }};
 }
 

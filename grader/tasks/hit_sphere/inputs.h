@@ -3,9 +3,9 @@
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/random_numbers.h"
 #include "grader/check/generators/special.h"
-#include "grader/check/language/show.h"
-#include "pt/geometry/ray.h"
-#include "pt/geometry/sphere.h"
+#include "grader/check/language/cases.h"
+#include "grader/tasks/hit_sphere/truth.h"
+#include "pt/tasks/hit_sphere.h"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +42,7 @@ struct Chord {
   double t_near, t_far;  // where the line meets the sphere, in the ray's range or not
   double slack;          // slack_along, as a difference of t
   double length() const { return t_far - t_near; }
+  double middle() const { return 0.5 * (t_near + t_far); }
   // Returns the t of a place that counts in chords: 1 is the near point, 2 the far point.
   double t_at(double place) const { return t_near + (place - 1) * length(); }
 };
@@ -49,6 +50,11 @@ struct Chord {
 inline void showValue(const Chord& chord, std::ostream& out) {
   show_lines(out, chord.sphere, chord.ray);
 }
+
+using Chords = Cases<Chord>;
+
+inline auto call(const Chord& c) { return pt::hit_sphere(c.sphere, c.ray); }
+inline Off off(const Chord& c, const pt::SurfaceHit& hit) { return off(c.sphere, c.ray, hit); }
 
 enum class From { outside, inside, behind };
 
@@ -105,7 +111,7 @@ inline Chord chord_at(const pt::Sphere& sphere, const pt::Frame& frame, double h
   return line_at(sphere, frame, std::sqrt((1 - half) * (1 + half)), half, start, speed);
 }
 
-inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
+inline Chords chord(From from, Domain domain = {}) {
   return rc::gen::exec([=] {
     const pt::Sphere sphere = any_sphere(domain.radius);
     const pt::Frame frame = *any_frame();
@@ -117,7 +123,7 @@ inline rc::Gen<Chord> chord(From from, Domain domain = {}) {
 }
 
 // A ray from exactly the centre.
-inline rc::Gen<Chord> from_the_centre() {
+inline Chords from_the_centre() {
   return rc::gen::exec([] {
     const pt::Sphere sphere = any_sphere(10);
     return chord_at(sphere, *any_frame(), 1, -1, 1);
@@ -144,7 +150,7 @@ inline Chord whole_chord(double radius, double offset, double half, double befor
 
 // `before` counts in half chords: -1 is exactly at the far point, 0 in the middle, 1 exactly at the
 // near point, and more is outside.
-inline rc::Gen<Chord> exactly(double before) {
+inline Chords exactly(double before) {
   return rc::gen::exec([=] {
     const int kind = *whole(0, 2);
     if (kind == 0) return whole_chord(1, 0, 1, before);
@@ -153,7 +159,7 @@ inline rc::Gen<Chord> exactly(double before) {
 }
 
 // A ray that touches the sphere, from outside. Both a hit there and a miss are right.
-inline rc::Gen<Chord> touching() {
+inline Chords touching() {
   return rc::gen::exec([] {
     const double radius = *whole(1, 5);
     return whole_chord(radius, radius, 0, *whole(1, 20));
@@ -200,71 +206,37 @@ inline constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.
                                                     {1.5, 9},  {2.5, 9},  {.2, .7}, {1.5, 2.5},
                                                     {.5, 2.5}, {0, 2.5}};
 
-// A ray whose line passes beside the sphere, and a ray from the same origin through the sphere's
-// centre.
-struct Passing {
-  pt::Sphere sphere;
-  pt::Ray ray;
-  pt::Ray through;
-};
-
-inline void showValue(const Passing& passing, std::ostream& out) {
-  show_lines(out, passing.sphere, passing.ray);
+// The same origin, and the direction of the centre.
+inline Chord through_the_centre(Chord c) {
+  c.ray.direction = normalize(c.sphere.center - c.ray.origin);
+  return c;
 }
 
 // The line passes the sphere at a distance of `low` to `high` from its surface. The ray starts up
 // to `far` before or behind the sphere.
-inline rc::Gen<Passing> passing(double low, double high, double far) {
+inline Chords passing(double low, double high, double far) {
   return rc::gen::exec([=] {
     const pt::Sphere sphere = any_sphere(*rc::gen::element(10.0, 1e9));
     const pt::Frame frame = *any_frame();
     const double beside = 1 + *magnitude(low, high), along = *real(-far, far);
-    const pt::Vec3 origin = sphere.center + sphere.radius * (beside * frame.x - along * frame.z);
-    return Passing{sphere, {origin, frame.z}, {origin, pt::normalize(sphere.center - origin)}};
+    return line_at(sphere, frame, beside, 0, along, 1);
   });
 }
 
-// A sphere, and a ray from outside at a point of its visible half.
-struct Aimed {
-  pt::Sphere sphere;
-  pt::Ray ray;
-};
-
-inline void showValue(const Aimed& aimed, std::ostream& out) {
-  show_lines(out, aimed.sphere, aimed.ray);
-}
-
-inline rc::Gen<Aimed> aimed_from(double least, double most) {
+// A ray from outside at a point of the visible half.
+inline Chords aimed_from(double least, double most) {
   return rc::gen::exec([=] {
     const double radius = *magnitude(1e-3, 1e5);
     const pt::Sphere sphere{radius * *point(), radius};
-    const pt::Vec3 n = *direction();
-    const double tilt = *real(-1, 1);
-    const pt::Vec3 towards = -std::cos(tilt) * n + std::sin(tilt) * pt::frame_from_normal(n).x;
-    const double distance = *magnitude(least, most);
-    return Aimed{sphere, {sphere.center + radius * (n - distance * towards), towards}};
+    const pt::Frame frame = *rotation();
+    const double half = std::cos(*real(-1, 1)), distance = *magnitude(least, most);
+    return chord_at(sphere, frame, half, distance, 1);
   });
-}
-
-// The distance of the point at t from the centre, in radii.
-inline double distance_from_centre(const pt::Sphere& sphere, const pt::Ray& ray, double t) {
-  return pt::length(ray.at(t) - sphere.center) / sphere.radius;
-}
-
-// The distance of the point at t from the surface, in radii.
-inline double off_the_sphere(const Aimed& aimed, double t) {
-  return std::abs(distance_from_centre(aimed.sphere, aimed.ray, t) - 1);
 }
 
 // A ground that is a sphere: from `radius` down to a hundredth of it in height are nothing special.
 // The ray starts one unit above the ground and meets it at an angle of at least 3 degrees.
-struct Ground {
-  pt::Sphere sphere;
-  pt::Ray ray;
-  double t = 0;  // where it meets the ground
-};
-
-inline rc::Gen<Ground> ground(double radius) {
+inline Chords ground(double radius) {
   return rc::gen::exec([=] {
     const pt::Frame frame = *any_frame();
     const double slope = *real(0.05, 0.5 * pt::kPi), side = std::cos(slope), down = std::sin(slope);
@@ -273,7 +245,31 @@ inline rc::Gen<Ground> ground(double radius) {
     // numbers.
     const long double b = (radius + 1.0L) * down, c = 2.0L * radius + 1;
     const auto t = static_cast<double>(c / (b + std::sqrt(b * b - c)));
-    return Ground{{-radius * frame.z, radius}, {frame.z, direction}, t};
+    return Chord{.sphere = {-radius * frame.z, radius},
+                 .ray = {frame.z, direction},
+                 .t_near = t,
+                 .t_far = t,
+                 .slack = 0};
+  });
+}
+
+// A ray whose line does not meet the sphere in the range of t. Often the range ends right before a
+// point or begins right behind it, also where single precision does not see this.
+inline constexpr int kOutOfRange = 5;  // kinds
+inline Chords out_of_range(int kind) {
+  return rc::gen::exec([=] {
+    const Domain domain{.radius = *rc::gen::element(10.0, 1e9),
+                        .near = *rc::gen::element(1e-5, 100.0),
+                        .far = kFar};
+    Chord c = *chord(kind == 0 ? From::behind : kind == 1 ? From::inside : From::outside, domain);
+    const double part = *rc::gen::element(0.0, 1.0) * *real(0.05, 0.95), room = 3 * c.slack;
+    const double inner = (1 - part) * (0.5 * c.length() - room);
+    if (kind == 1) c.ray.t_max = (1 - part) * (c.t_far - room);
+    if (kind == 2) c.ray.t_max = (1 - part) * std::max(0.0, c.t_near - room);
+    if (kind == 3) c.ray.t_min = c.t_far + room + part * c.length();
+    if (kind == 4) c.ray.t_min = c.middle() - inner;
+    if (kind == 4) c.ray.t_max = c.middle() + inner;
+    return c;
   });
 }
 
