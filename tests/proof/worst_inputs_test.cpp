@@ -1,4 +1,6 @@
 #include "grader/check/language/exact.h"
+#include "grader/tasks/hit_sphere/truth.h"
+#include "grader/tasks/hit_triangle/truth.h"
 #include "pt/scene/scene.h"
 #include "pt/tasks/build_bvh.h"
 #include "pt/tasks/camera_ray.h"
@@ -24,6 +26,8 @@ namespace {
 using grader::check::Exact;
 using grader::check::Exact3;
 using grader::check::rounded;
+using namespace grader::check::hit_sphere_inputs;
+using namespace grader::check::hit_triangle_inputs;
 
 struct AtTriangle {
   Triangle triangle;
@@ -66,23 +70,6 @@ const AtTriangle kTriangles[] = {
       {1.1540293699414282e-07, -5.145880980426865e-09, 1.4183898022567974e-07}}},
 };
 
-struct Meeting {
-  Exact t = 0;
-  Vec3 n;
-};
-
-Meeting meet(const AtTriangle& at) {
-  const Triangle& triangle = at.triangle;
-  const Exact3 p0 = triangle.p0, d = at.ray.direction;
-  const Exact3 e1 = Exact3(triangle.p1) - p0, e2 = Exact3(triangle.p2) - p0;
-  const Exact3 s = Exact3(at.ray.origin) - p0, h = cross(d, e2), q = cross(s, e1);
-  const Exact determinant = dot(e1, h);
-  const Exact b1 = dot(s, h) / determinant, b2 = dot(d, q) / determinant;
-  const Exact3 n =
-      (1 - b1 - b2) * Exact3(triangle.n0) + b1 * Exact3(triangle.n1) + b2 * Exact3(triangle.n2);
-  return {dot(e2, q) / determinant, normalize(rounded(n))};
-}
-
 // The contract's limit for a point, as a length.
 double allowed(const AtTriangle& at, double t) {
   const Triangle& triangle = at.triangle;
@@ -96,12 +83,12 @@ double allowed(const AtTriangle& at, double t) {
 // The largest error was a millionth of it; a hundred-thousandth leaves room for other compilers.
 TEST(WorstInputs, triangles_keep_far_more_digits_than_promised) {
   for (const AtTriangle& at : kTriangles) {
-    const Meeting right = meet(at);
+    const auto [t, place] = meet(at.triangle, at.ray);
     const auto hit = hit_triangle(at.triangle, at.ray);
     ASSERT_TRUE(hit);
-    const double off = std::abs(rounded(Exact(hit->t) - right.t)) * length(at.ray.direction);
-    EXPECT_LE(off, 1e-5 * allowed(at, hit->t));
-    EXPECT_LE(length(hit->n - right.n), 1e-8);
+    const double off_t = std::abs(rounded(hit->t - t)) * length(at.ray.direction);
+    EXPECT_LE(off_t, 1e-5 * allowed(at, hit->t));
+    EXPECT_LE(length(hit->n - rounded(normal_at(at.triangle, place))), 1e-8);
   }
 }
 
@@ -145,20 +132,6 @@ struct AtSphere {
   Ray ray;
 };
 
-// The distance of the sphere in radii.
-double off_the_sphere(const AtSphere& at, double t) {
-  const Exact3 p =
-      Exact3(at.ray.origin) + Exact(t) * Exact3(at.ray.direction) - Exact3(at.sphere.center);
-  const Exact radius = at.sphere.radius;
-  return std::abs(rounded((dot(p, p) - radius * radius) / (2 * radius * radius)));
-}
-
-double off_the_normal(const AtSphere& at, const SurfaceHit& hit) {
-  const Exact3 p =
-      Exact3(at.ray.origin) + Exact(hit.t) * Exact3(at.ray.direction) - Exact3(at.sphere.center);
-  return length(hit.n - normalize(rounded(p)));
-}
-
 // Spheres at most a thousand radii away. The last two have the worst normals: their centres have
 // coordinates of a million radii, so that an ulp of a coordinate is 1e-10 of the radius.
 const AtSphere kSpheres[] = {
@@ -186,8 +159,8 @@ TEST(WorstInputs, spheres_keep_far_more_digits_than_promised) {
     const auto hit = hit_sphere(at.sphere, at.ray);
     ASSERT_TRUE(hit);
     const double limit = is_far_from_the_origin(at.sphere) ? 1e-9 : 1e-11;
-    EXPECT_LE(off_the_sphere(at, hit->t), limit);
-    EXPECT_LE(off_the_normal(at, *hit), limit);
+    EXPECT_LE(off(at.sphere, at.ray, *hit).point, limit);
+    EXPECT_LE(off(at.sphere, at.ray, *hit).normal, limit);
   }
 }
 
@@ -205,8 +178,8 @@ TEST(WorstInputs, far_spheres_keep_the_promise) {
   for (const AtSphere& at : kFarSpheres) {
     const auto hit = hit_sphere(at.sphere, at.ray);
     ASSERT_TRUE(hit);
-    EXPECT_LE(off_the_sphere(at, hit->t), 2e-8);
-    EXPECT_LE(off_the_normal(at, *hit), 2e-8);
+    EXPECT_LE(off(at.sphere, at.ray, *hit).point, 2e-8);
+    EXPECT_LE(off(at.sphere, at.ray, *hit).normal, 2e-8);
   }
 }
 

@@ -1,3 +1,5 @@
+#include "grader/tasks/hit_sphere/truth.h"
+#include "grader/tasks/hit_triangle/truth.h"
 #include "pt/tasks/hit_box.h"
 #include "view/worker/check.h"
 
@@ -5,30 +7,12 @@ namespace view {
 
 namespace {
 
+using namespace grader::check::hit_sphere_inputs;
+using namespace grader::check::hit_triangle_inputs;
+
 struct Blame {
   std::string task, promise, text;
 };
-
-// The place of a point on a triangle's plane: how far it is off the plane, and inside the edges, both in parts of its size.
-struct OnTriangle {
-  double off = 0, inside = 0;
-  pt::Vec3 n;
-};
-
-OnTriangle on_triangle(const pt::Triangle& triangle, pt::Vec3 p) {
-  const pt::Vec3 normal = geometric_normal(triangle);
-  const double twice_area = length(normal);
-  const pt::Vec3 unit = normal / twice_area;
-  const auto part = [&](pt::Vec3 a, pt::Vec3 b) {
-    return dot(cross(a - p, b - p), unit) / twice_area;
-  };
-  const double b0 = part(triangle.p1, triangle.p2), b1 = part(triangle.p2, triangle.p0);
-  const double b2 = part(triangle.p0, triangle.p1);
-  const double size =
-      std::max({max_abs(triangle.p0), max_abs(triangle.p1), max_abs(triangle.p2), max_abs(p)});
-  return {std::abs(dot(p - triangle.p0, unit)) / size, std::min({b0, b1, b2}),
-          normalize(b0 * triangle.n0 + b1 * triangle.n1 + b2 * triangle.n2)};
-}
 
 // A ray that is nearly parallel to a surface, or whose range ends near it, may hit or miss.
 bool is_clear(const pt::Primitives& primitives, const pt::Ray& ray, const pt::Hit& hit) {
@@ -38,7 +22,7 @@ bool is_clear(const pt::Primitives& primitives, const pt::Ray& ray, const pt::Hi
   if (!primitives.is_triangle(hit.primitive)) return std::abs(dot(hit.n, d)) > 1e-3;
   const pt::Triangle& triangle = primitives.triangle(hit.primitive);
   return std::abs(dot(normalize(geometric_normal(triangle)), d)) > 1e-4 &&
-         on_triangle(triangle, p).inside > 1e-5;
+         place_of(triangle, p).least() > 1e-5;
 }
 
 const char* task_of(const pt::Primitives& primitives, int primitive) {
@@ -56,26 +40,31 @@ std::optional<Blame> wrong_hit(const pt::Primitives& primitives, const pt::Ray& 
   const bool is_unit = std::abs(length(hit.n) - 1) <= 2e-5;
   if (!primitives.is_triangle(primitive)) {
     const pt::Sphere& sphere = primitives.sphere(primitive);
-    const pt::Vec3 out = (p - sphere.center) / sphere.radius;
+    const auto [off_point, off_normal] = off(sphere, ray, hit);
     const double slack = 1e-5 + 1e-12 * max_abs(p) / sphere.radius;
-    if (!(std::abs(length(out) - 1) <= slack)) {
+    if (!(off_point <= slack)) {
       return Blame{task, "hits_where_it_is_aimed", "the point at t is not on the sphere"};
     }
-    if (!is_unit || !(length(hit.n - out) <= 1e-4 + slack)) {
+    if (!is_unit || !(off_normal <= 1e-4 + slack)) {
       return Blame{task, "returns_the_outward_unit_normal", "n is not the outward unit normal"};
     }
     return std::nullopt;
   }
-  const OnTriangle place = on_triangle(primitives.triangle(primitive), p);
-  if (!(place.off <= 1e-6)) {
+  const pt::Triangle& triangle = primitives.triangle(primitive);
+  const Place place = place_of(triangle, p);
+  const double size =
+      std::max({max_abs(triangle.p0), max_abs(triangle.p1), max_abs(triangle.p2), max_abs(p)});
+  const double off_plane = dot(p - triangle.p0, normalize(geometric_normal(triangle)));
+  if (!(std::abs(off_plane) <= 1e-6 * size)) {
     return Blame{task, "hits_where_it_is_aimed", "the point at t is not on the triangle's plane"};
   }
-  if (!(place.inside >= -1e-4)) {
+  if (!(place.least() >= -1e-4)) {
     return Blame{task, "misses_outside", "the point at t is outside the triangle"};
   }
   if (!is_unit) return Blame{task, "returns_a_unit_normal", "n does not have length 1"};
-  if (length(hit.n - place.n) <= 1e-3) return std::nullopt;
-  const bool is_flipped = length(hit.n + place.n) <= 1e-3;
+  const pt::Vec3 n = rounded(normal_at(triangle, place));
+  if (length(hit.n - n) <= 1e-3) return std::nullopt;
+  const bool is_flipped = length(hit.n + n) <= 1e-3;
   return Blame{task, is_flipped ? "never_flips_the_normal" : "interpolates_the_corner_normals",
                is_flipped ? "n is turned to the other side"
                           : "n is not the mean of the corner normals at the point"};

@@ -1,7 +1,7 @@
 #include "grader/mistakes/battery.h"
 
 #include "grader/check/generators/random_numbers.h"
-#include "grader/tasks/hit_triangle/inputs.h"
+#include "grader/tasks/hit_triangle/exact.h"
 #include "pt/tasks/hit_triangle.h"
 
 #include <array>
@@ -156,7 +156,7 @@ void special(Battery& battery, RandomNumbers& make) {
     }
   }
   // No t is right for them: most of the rays start 3 away from their point.
-  for (const auto& [triangle, ray] : fixed_degenerates()) ask(battery, triangle, ray, 3);
+  for (const Aimed& each : fixed_degenerates()) ask(battery, each.triangle, each.ray, 3);
 }
 
 // Directions of any length, the exact end of the range, flat angles, slivers, and points close to
@@ -187,7 +187,7 @@ void extremes(Battery& battery, RandomNumbers& make) {
 // Asks only whether there is a hit: right solutions differ in t here.
 void ask_hit(Battery& battery, const Aimed& a) {
   battery.ask([&]() -> Battery::Numbers {
-    if (!pt::hit_triangle(a.triangle, a.ray)) return {};
+    if (!call(a)) return {};
     return {1};
   });
 }

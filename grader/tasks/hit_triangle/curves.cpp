@@ -1,8 +1,7 @@
 #include "grader/check/language/curve.h"
 #include "grader/check/language/property.h"
-#include "grader/tasks/hit_triangle/inputs.h"
+#include "grader/tasks/hit_triangle/exact.h"
 #include "pt/geometry/box.h"
-#include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +11,11 @@ namespace {
 
 using namespace hit_triangle_inputs;
 
-double missed(const Aimed& aimed) {
-  return pt::hit_triangle(aimed.triangle, aimed.ray).has_value() ? 0 : 1;
-}
+double missed(const Aimed& aimed) { return call(aimed).has_value() ? 0 : 1; }
 
 // Returns the error of t as a length.
 double error_of_t(const Aimed& aimed) {
-  const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
+  const auto hit = call(aimed);
   expect(hit.has_value(), "a hit", "no hit");
   return std::abs(hit->t - aimed.t) * length(aimed.ray.direction);
 }
@@ -105,8 +102,8 @@ CURVE(hit_triangle, far_from_the_origin) {
 
 // Returns 1 if an answer about a triangle without area, or a ray in its plane, is a number that has
 // nothing to do with the triangle. Rounding gives it some area, so that a hit is right, too.
-double anywhere(const Degenerate& c) {
-  const auto hit = pt::hit_triangle(c.triangle, c.ray);
+double anywhere(const Aimed& c) {
+  const auto hit = call(c);
   if (!hit) return 0;
   pt::Box box;
   for (const pt::Vec3 p : {c.triangle.p0, c.triangle.p1, c.triangle.p2}) box.grow(p);
@@ -119,7 +116,7 @@ double anywhere(const Degenerate& c) {
 }
 
 // Turned so that no determinant is exactly 0, and moved so that all are rounding errors.
-Degenerate turned_and_moved(Degenerate c, double away) {
+Aimed turned_and_moved(Aimed c, double away) {
   const pt::Frame turn = *rotation();
   const double edge = length(c.triangle.p1 - c.triangle.p0);
   const pt::Vec3 shift = (away > 1 ? away * std::max(edge, 1e-30) : 0.0) * *direction();
@@ -146,7 +143,7 @@ CURVE(hit_triangle, without_area) {
           .statistic = Statistic::mean,
           .cases = 1000,
           .measure = [](double away) {
-            const Degenerate c = *whole(0, 1) == 0 ? *without_area() : *in_the_plane();
+            const Aimed c = *whole(0, 1) == 0 ? *without_area() : *in_the_plane();
             return anywhere(away > 1 ? turned_and_moved(c, away) : c);
           }};
 }

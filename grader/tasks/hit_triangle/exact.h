@@ -2,7 +2,9 @@
 
 #include "grader/tasks/hit_triangle/inputs.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 // Triangles and rays of small whole numbers times a power of two, so that no method rounds the
 // numbers that it compares: the normal of the plane has components that are zero or exactly equal,
@@ -46,7 +48,7 @@ inline pt::Vec3 direction_across(const pt::Triangle& triangle) {
 }
 
 // One ray of four starts at the world's origin.
-inline rc::Gen<Aimed> exactly(Weights (*where)()) {
+inline Aims exactly(Weights (*where)()) {
   return rc::gen::exec([=] {
     const Weights w = where();
     const pt::Triangle triangle = whole_triangle(w);
@@ -65,6 +67,64 @@ inline Aimed from_the_plane(Aimed aimed) {
   aimed.ray.origin = aimed.ray.at(aimed.t);
   aimed.ray.t_min = *rc::gen::element(1.0, 1e-3) * aimed.t;
   return aimed;
+}
+
+// Triangles without area, and rays in the plane of a triangle.
+
+inline double small_whole() { return *whole(-2, 2); }
+
+// Exchanges the axes in a cycle, so that `axis` becomes the third one.
+inline pt::Vec3 turned(pt::Vec3 v, int axis) {
+  return {v[(axis + 1) % 3], v[(axis + 2) % 3], v[axis]};
+}
+
+// Along the axes or diagonals: with these numbers, every method finds determinants that are exactly zero.
+inline Aimed degenerate(const std::array<pt::Vec3, 3>& corners, pt::Vec3 start, pt::Vec3 d) {
+  const double scale = *rc::gen::element(1.0, 0x1p-20, 0x1p20);
+  const int axis = *whole(0, 2);
+  const pt::Vec3 up = turned({0, 0, 1}, axis);
+  const auto place = [&](pt::Vec3 v) { return scale * turned(v, axis); };
+  return {{place(corners[0]), place(corners[1]), place(corners[2]), up, up, up},
+          {place(start), place(d)}};
+}
+
+// Three corners on a line, of which two or all three may coincide. The ray is aimed at one of them.
+inline Aims without_area() {
+  return rc::gen::exec([] {
+    const pt::Vec3 p{small_whole(), small_whole(), small_whole()}, along{1, 0, 0};
+    std::array<pt::Vec3, 3> corners{p, p + small_whole() * along, p + small_whole() * along};
+    std::rotate(corners.begin(), corners.begin() + *whole(0, 2), corners.end());
+    const pt::Vec3 target = corners[*whole(0, 2)];
+    pt::Vec3 d{};
+    while (d == pt::Vec3{}) {
+      d = {*whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0};
+    }
+    return degenerate(corners, target - 2 * d, d);
+  });
+}
+
+inline Aims in_the_plane() {
+  return rc::gen::exec([] {
+    const double height = small_whole();
+    const pt::Vec3 p{small_whole(), small_whole(), height};
+    const pt::Vec3 e1{1, small_whole(), 0}, e2{0, *rc::gen::element(2.0, -2.0), 0};
+    pt::Vec3 d{};
+    while (d == pt::Vec3{}) d = {*whole(-1, 1) * 1.0, *whole(-1, 1) * 1.0, 0};
+    const pt::Vec3 towards = p + 0.5 * *whole(0, 1) * e1 + 0.5 * *whole(0, 1) * e2;
+    return degenerate({p, p + e1, p + e2}, towards - *whole(0, 2) * d, d);
+  });
+}
+
+// Rays at and close beside a line and a point, and rays in a triangle's plane or parallel to it.
+inline std::vector<Aimed> fixed_degenerates() {
+  constexpr pt::Vec3 kZ{0, 0, 1}, kDown{0, 0, -1}, kAlong{1, 0, 0};
+  constexpr pt::Triangle kLine{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, kZ, kZ, kZ};
+  constexpr pt::Triangle kDot{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}, kZ, kZ, kZ};
+  constexpr pt::Triangle kFace{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, kZ, kZ, kZ};
+  return {{kLine, {{1, 1, 3}, kDown}},     {kLine, {{1.2, 0.8, 3}, kDown}},
+          {kDot, {{1, 1, 3}, kDown}},      {kDot, {{1.1, 1, 3}, kDown}},
+          {kFace, {{-3, 0.5, 0}, kAlong}}, {kFace, {{0.5, 0.5, 0}, kAlong}},
+          {kFace, {{0.5, 0.5, 1}, kAlong}}};
 }
 
 // The same with one number changed. The normals keep their length.

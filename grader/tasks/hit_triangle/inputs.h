@@ -2,10 +2,9 @@
 
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/special.h"
-#include "grader/check/language/show.h"
+#include "grader/check/language/cases.h"
+#include "grader/tasks/hit_triangle/truth.h"
 #include "grader/tasks/hit_triangle/weights.h"
-#include "pt/geometry/ray.h"
-#include "pt/geometry/triangle.h"
 #include "pt/tasks/hit_triangle.h"
 
 #include <algorithm>
@@ -20,19 +19,32 @@ namespace grader::check::hit_triangle_inputs {
 inline constexpr double kPrecision = 1e-9;
 inline constexpr double kNormalPrecision = 1e-6;
 
-// A triangle, and a ray that is aimed at a known point of its plane.
+// A triangle, and a ray that is aimed at a known point of its plane. A triangle without area and a ray
+// in the plane have no such point.
 struct Aimed {
   pt::Triangle triangle;
   pt::Ray ray;
-  double t;
-  pt::Vec3 n;          // the interpolated normal there
-  double tolerance;    // of t, by the contract
-  double n_tolerance;  // of n, by the contract
+  double t = 0;
+  pt::Vec3 n{};            // the interpolated normal there
+  double tolerance = 0;    // of t, by the contract
+  double n_tolerance = 0;  // of n, by the contract
+
+  // The ray that is at the same point at the same t, and comes from the other side.
+  Aimed from_the_other_side() const {
+    Aimed other = *this;
+    other.ray.origin = ray.at(2 * t);
+    other.ray.direction = -ray.direction;
+    return other;
+  }
 };
 
 inline void showValue(const Aimed& aimed, std::ostream& out) {
   show_lines(out, aimed.triangle, aimed.ray);
 }
+
+using Aims = Cases<Aimed>;
+
+inline auto call(const Aimed& aimed) { return pt::hit_triangle(aimed.triangle, aimed.ray); }
 
 // The ranges of the generator's numbers. The defaults are ordinary, so that a mistake with extreme
 // numbers breaks only the promises about extreme numbers.
@@ -166,12 +178,23 @@ inline constexpr Range kNeedle{
 inline constexpr Range kAnyShape{
     .size = 1e6, .speed = 1e9, .thin = 1e-3, .away = 1, .near = 0.5, .far = 2, .flat = 0.57};
 
-inline rc::Gen<Aimed> aimed_inside(Range range = {}, Weights (*where)() = inside) {
-  return rc::gen::exec([=] { return aimed_at(triangle_of(range), where(), range); });
+// The weights say whether the point is inside the triangle or outside.
+inline Aims aims(const Range& range, Weights (*where)()) {
+  return rc::gen::exec([=] {
+    const pt::Triangle triangle = triangle_of(range);
+    return aimed_at(triangle, where(), range);
+  });
+}
+inline Aims aimed_inside(const Range& range = {}) { return aims(range, inside); }
+inline Aims aimed_outside(const Range& range = {}) { return aims(range, outside); }
+
+// The same ray, moved to the middle of the triangle.
+inline Aimed at_the_middle(const Aimed& aimed) {
+  return aimed_along(aimed.triangle, kMiddle, aimed.ray.direction, aimed.t);
 }
 
 // Corner normals whose weighted sum at the point is short: up to a tenth, and not zero.
-inline rc::Gen<Aimed> where_normals_cancel() {
+inline Aims where_normals_cancel() {
   return rc::gen::exec([] {
     pt::Triangle triangle = triangle_of(kPrecise);
     const Weights w = in_the_middle();
@@ -200,12 +223,18 @@ inline Aimed resized(Aimed aimed, double factor) {
   return aimed;
 }
 
-// The same case with a longer or shorter direction. The range ends a little behind the point, and
-// may begin a little before it.
-inline Aimed scaled(Aimed aimed, double factor) {
+// The same case with a longer or shorter direction.
+inline Aimed longer(Aimed aimed, double factor) {
   aimed.ray.direction *= factor;
   aimed.t /= factor;
   aimed.tolerance /= factor;
+  return aimed;
+}
+
+// The same. The range ends a little behind the point, and
+// may begin a little before it.
+inline Aimed scaled(const Aimed& made, double factor) {
+  Aimed aimed = longer(made, factor);
   aimed.ray.t_min = *rc::gen::element(0.0, 0.75) * aimed.t;
   aimed.ray.t_max = 1.5 * aimed.t;
   return aimed;
@@ -213,12 +242,8 @@ inline Aimed scaled(Aimed aimed, double factor) {
 
 // The same case at either end of the scale or at its own size, with a direction of any length.
 inline Aimed at_any_size(const Aimed& aimed) {
-  Aimed made = resized(aimed, *rc::gen::element(1e-6, 1.0, 1e6));
-  const double factor = *rc::gen::element(1e-9, 1e-9, 1e9, *any_length());
-  made.ray.direction *= factor;
-  made.t /= factor;
-  made.tolerance /= factor;
-  return made;
+  const Aimed made = resized(aimed, *rc::gen::element(1e-6, 1.0, 1e6));
+  return longer(made, *rc::gen::element(1e-9, 1e-9, 1e9, *any_length()));
 }
 
 // The same ray with a range that ends before the point or begins behind it, often as close to it as
@@ -232,22 +257,6 @@ inline Aimed out_of_range(Aimed aimed, int kind) {
     aimed.ray.t_max = *rc::gen::oneOf(magnitude(1e-3, 1e3), rc::gen::element(1.0, pt::kInfinity));
   }
   return aimed;
-}
-
-// Two rays at the plane of a triangle: the first at a point outside the triangle, the second at a
-// point inside.
-struct InAndOut {
-  Aimed out, in;
-};
-
-inline void showValue(const InAndOut& both, std::ostream& out) { showValue(both.out, out); }
-
-inline rc::Gen<InAndOut> aimed_outside(Range range = {}, Weights (*where)() = outside) {
-  return rc::gen::exec([=] {
-    const pt::Triangle triangle = triangle_of(range);
-    const Aimed out = aimed_at(triangle, where(), range);
-    return InAndOut{out, aimed_at(triangle, inside(), range)};
-  });
 }
 
 // A fan of four triangles around a common corner, and a ray from the front. It is aimed at the
@@ -269,7 +278,7 @@ inline bool is_hit(const Fan& fan) {
 }
 
 // `away`: the largest coordinate of the corner.
-inline rc::Gen<Fan> aimed_between(double away = 10) {
+inline Cases<Fan> aimed_between(double away = 10) {
   return rc::gen::exec([=] {
     const pt::Vec3 middle = *point(away);
     const pt::Frame frame = *rotation();
@@ -289,21 +298,21 @@ inline rc::Gen<Fan> aimed_between(double away = 10) {
   });
 }
 
-// The same aim at an ordinary size and at either end of the scale, with a direction at either end of
-// its lengths. Only the second is shown.
-struct BothSizes {
-  Aimed ordinary, extreme;
-};
-
-inline void showValue(const BothSizes& both, std::ostream& out) { showValue(both.extreme, out); }
-
-inline rc::Gen<BothSizes> at_either_end(const Range& range) {
-  return rc::gen::exec([=] {
-    const Aimed made = *aimed_inside(range);
-    const Aimed extreme =
-        scaled(resized(made, *rc::gen::element(1e-6, 1e6)), *rc::gen::element(1e-9, 1.0, 1e9));
-    return BothSizes{made, extreme};
+// At either end of the scale or at its own size, with a direction at either end of its lengths.
+inline Aims at_either_end(const Range& range) {
+  return aimed_inside(range).with([](const Aimed& aimed) {
+    const double factor = *rc::gen::element(1e-6, 1e6);
+    return scaled(resized(aimed, factor), *rc::gen::element(1e-9, 1.0, 1e9));
   });
+}
+
+// The same aim with a first edge and a direction of length 1.
+inline Aimed ordinary(const Aimed& aimed) {
+  Aimed made = resized(aimed, 1 / length(aimed.triangle.p1 - aimed.triangle.p0));
+  made = longer(made, 1 / length(aimed.ray.direction));
+  made.ray.t_min = 0;
+  made.ray.t_max = pt::kInfinity;
+  return made;
 }
 
 }  // namespace grader::check::hit_triangle_inputs

@@ -1,37 +1,18 @@
+#include "grader/tasks/hit_triangle/truth.h"
 #include "measure/calls/exact.h"
-#include "measure/calls/subject.h"
 #include "pt/tasks/hit_triangle.h"
-
-#include <array>
 
 namespace measure::calls {
 
 namespace {
 
-using pt::Ray;
-using pt::SurfaceHit;
+using namespace grader::check::hit_triangle_inputs;
+using grader::check::rounded;
 using pt::Vec3;
 
 constexpr std::uint64_t kSeed = 13;
 
-struct Meeting {
-  long double t = 0;
-  std::array<long double, 3> weights{};  // of the corners; they sum to 1
-};
-
-// The point where the ray meets the triangle's plane.
-Meeting meet(const pt::Triangle& triangle, const Ray& ray) {
-  const Precise3 p0 = triangle.p0;
-  const Precise3 n = cross(Precise3(triangle.p1) - p0, Precise3(triangle.p2) - p0);
-  const long double t = dot(p0 - ray.origin, n) / dot(ray.direction, n);
-  const Precise3 p = Precise3(ray.origin) + t * Precise3(ray.direction);
-  const auto weight = [&](Vec3 a, Vec3 b) {
-    return dot(cross(Precise3(a) - p, Precise3(b) - p), n) / dot(n, n);
-  };
-  return {t,
-          {weight(triangle.p1, triangle.p2), weight(triangle.p2, triangle.p0),
-           weight(triangle.p0, triangle.p1)}};
-}
+auto call(const Aimed<pt::Triangle>& aimed) { return pt::hit_triangle(aimed.shape, aimed.ray); }
 
 std::optional<Aimed<pt::Triangle>> make_triangle(pt::Sampler& sampler) {
   const double size = size_between(-6, 6, sampler);
@@ -53,36 +34,30 @@ std::optional<Aimed<pt::Triangle>> make_triangle(pt::Sampler& sampler) {
   const Vec3 from = height * n + std::sqrt(1 - height * height) * flat;
   aimed.ray = ray_towards(target + size * size_between(-1, 3, sampler) * from, target, sampler);
   const Meeting meeting = meet(aimed.shape, aimed.ray);
-  const long double least = *std::min_element(meeting.weights.begin(), meeting.weights.end());
+  const double least = meeting.at.least();
   aimed.hits = least > 0;
   if (!(std::abs(least) > kMargin) || !(meeting.t > 0)) return {};
   return aimed;
 }
 
-void look_at_triangle(const Aimed<pt::Triangle>& aimed, const std::optional<SurfaceHit>& hit,
+void look_at_triangle(const Aimed<pt::Triangle>& aimed, const std::optional<pt::SurfaceHit>& hit,
                       Found& found) {
   if (hit.has_value() != aimed.hits) ++found.wrong;
   if (!hit || !aimed.hits) return;
   const pt::Triangle& triangle = aimed.shape;
   const Meeting meeting = meet(triangle, aimed.ray);
-  const long double step = length(aimed.ray.direction);
-  const long double largest = std::max<long double>(
-      {max_abs(triangle.p0), max_abs(triangle.p1), max_abs(triangle.p2), max_abs(aimed.ray.origin),
-       length(triangle.p1 - triangle.p0), length(triangle.p2 - triangle.p0), meeting.t * step});
-  keep_largest(found.errors[0], (hit->t - meeting.t) * step / largest);
-  const Precise3 n = normalize(meeting.weights[0] * Precise3(triangle.n0) +
-                               meeting.weights[1] * Precise3(triangle.n1) +
-                               meeting.weights[2] * Precise3(triangle.n2));
-  keep_largest(found.errors[1], length(Precise3(hit->n) - n));
+  const double step = length(aimed.ray.direction);
+  const double largest = std::max({max_abs(triangle.p0), max_abs(triangle.p1), max_abs(triangle.p2),
+                                   max_abs(aimed.ray.origin), length(triangle.p1 - triangle.p0),
+                                   length(triangle.p2 - triangle.p0), rounded(meeting.t) * step});
+  keep_largest(found.errors[0], rounded(hit->t - meeting.t) * step / largest);
+  keep_largest(found.errors[1], length(hit->n - normal_at(triangle, meeting.at)));
 }
 
 }  // namespace
 
 Subject measure_hit_triangle(int) {
-  return exact_subject(
-      make_inputs(kSeed, make_triangle),
-      [](const Aimed<pt::Triangle>& aimed) { return pt::hit_triangle(aimed.shape, aimed.ray); },
-      look_at_triangle);
+  return exact_subject(make_inputs(kSeed, make_triangle), call, look_at_triangle);
 }
 
 }  // namespace measure::calls

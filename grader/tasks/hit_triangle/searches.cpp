@@ -1,28 +1,10 @@
 #include "grader/check/language/bad_inputs.h"
-#include "grader/check/language/exact.h"
 #include "grader/tasks/hit_triangle/inputs.h"
-#include "pt/tasks/hit_triangle.h"
 
 namespace grader::check {
 namespace {
 
 using namespace hit_triangle_inputs;
-
-// The point in which the ray meets the triangle's plane.
-struct Meeting {
-  Exact t = 0, b0 = 0, b1 = 0, b2 = 0;
-
-  double least() const { return std::min({rounded(b0), rounded(b1), rounded(b2)}); }
-};
-
-Meeting meet(const pt::Triangle& triangle, const pt::Ray& ray) {
-  const Exact3 p0 = triangle.p0, d = ray.direction;
-  const Exact3 e1 = Exact3(triangle.p1) - p0, e2 = Exact3(triangle.p2) - p0;
-  const Exact3 s = Exact3(ray.origin) - p0, h = cross(d, e2), q = cross(s, e1);
-  const Exact determinant = dot(e1, h);
-  const Exact b1 = dot(s, h) / determinant, b2 = dot(d, q) / determinant;
-  return {dot(e2, q) / determinant, 1 - b1 - b2, b1, b2};
-}
 
 // The largest error that the contract allows.
 constexpr Range kEverything{.size = 1e6,
@@ -47,10 +29,10 @@ double slack(const Aimed& aimed) {
 // A ray that has to hit by the contract, and the point. Nothing if the point may lie outside.
 double badness_inside(double (*of)(const Aimed&, const Meeting&, const pt::SurfaceHit&)) {
   const Aimed aimed = *aimed_inside(kEverything);
-  show_case(aimed.triangle, aimed.ray);
+  show_case(aimed);
   const Meeting meeting = meet(aimed.triangle, aimed.ray);
-  if (!(meeting.least() > slack(aimed))) return 0;
-  const auto hit = pt::hit_triangle(aimed.triangle, aimed.ray);
+  if (!(meeting.at.least() > slack(aimed))) return 0;
+  const auto hit = call(aimed);
   return hit ? of(aimed, meeting, *hit) : kBroken;
 }
 
@@ -71,10 +53,8 @@ SEARCH(hit_triangle, n) {
       .measure = "1 is what the contract allows",
       .badness = [] {
         return badness_inside([](const Aimed& aimed, const Meeting& m, const pt::SurfaceHit& hit) {
-          const pt::Vec3 n = normalize(rounded(m.b0 * Exact3(aimed.triangle.n0) +
-                                               m.b1 * Exact3(aimed.triangle.n1) +
-                                               m.b2 * Exact3(aimed.triangle.n2)));
-          return length(hit.n - n) / aimed.n_tolerance;
+          const Exact3 n = normal_at(aimed.triangle, m.at);
+          return static_cast<double>(length(hit.n - n)) / aimed.n_tolerance;
         });
       }};
 }
@@ -83,10 +63,10 @@ SEARCH(hit_triangle, outside) {
   return {.title = "a ray beside a triangle that hits: how far outside it is",
           .measure = "1 is what the contract allows",
           .badness = [] {
-            const Aimed out = (*aimed_outside(kEverything, barely_outside)).out;
-            show_case(out.triangle, out.ray);
-            const double beside = -meet(out.triangle, out.ray).least() / slack(out);
-            if (pt::hit_triangle(out.triangle, out.ray)) return std::max(beside, 0.0);
+            const Aimed out = *aims(kEverything, barely_outside);
+            show_case(out);
+            const double beside = -meet(out.triangle, out.ray).at.least() / slack(out);
+            if (call(out)) return std::max(beside, 0.0);
             // The badness is nearly one, so that the search goes on towards the edge.
             return beside > 0 ? 1e-3 / (1 + beside) : 0;
           }};
