@@ -1,7 +1,6 @@
 #include "grader/mistakes/battery.h"
 
 #include "grader/tasks/hit_box/inputs.h"
-#include "pt/tasks/hit_box.h"
 
 #include <cmath>
 #include <utility>
@@ -17,7 +16,7 @@ using pt::Vec3;
 
 void ask(Battery& battery, const Case& c) {
   battery.ask([&]() -> Battery::Numbers {
-    const auto inside = pt::hit_box(c.box, c.ray);
+    const auto inside = call(c);
     if (!inside) return {};
     return {inside->min, inside->max};
   });
@@ -101,7 +100,7 @@ void precisely(Battery& battery, RandomNumbers& make) {
     const double t = make.between(2, 5);
     const Case c = at_the_first_side(make, t);
     battery.ask([&]() -> Battery::Numbers {
-      const auto inside = pt::hit_box(c.box, c.ray);
+      const auto inside = call(c);
       if (!inside) return {};
       return {flag(std::abs(inside->min / t - 1) < 1e-9)};
     });

@@ -13,7 +13,7 @@ namespace grader::check::hit_box_inputs {
 
 // A box that is a segment or a point. All coordinates are small whole numbers times a power of two,
 // and t at the hit is a power of two, so that nothing is rounded.
-inline rc::Gen<Case> at_a_segment() {
+inline Boxes at_a_segment() {
   return rc::gen::exec([] {
     const double scale = std::pow(2, *whole(-30, 30)), speed = std::pow(2, *whole(-9, 9));
     pt::Vec3 p{*whole(-9, 9) * 1.0, *whole(-9, 9) * 1.0, *whole(-9, 9) * 1.0}, d;
@@ -50,13 +50,13 @@ inline Case whole_case(const std::array<int, 3>& places, double way) {
   return {{made.box.min - o, made.box.max - o}, {{}, made.ray.direction}};
 }
 
-inline rc::Gen<Case> through_the_middle(double way) {
+inline Boxes through_the_middle(double way) {
   return rc::gen::exec([=] { return whole_case({0, 0, 0}, way); });
 }
 
 // The ray starts exactly on a side, an edge or, in half of the cases, a corner, and goes in or out. Its
 // range may begin later, and it may be the start alone.
-inline rc::Gen<Case> from_a_side() {
+inline Boxes from_a_side() {
   return rc::gen::exec([] {
     const bool corner = *whole(0, 1) == 0, inwards = *whole(0, 3) > 0;
     std::array<int, 3> places{};
@@ -68,7 +68,7 @@ inline rc::Gen<Case> from_a_side() {
       double& d = c.ray.direction[axis];
       if (places[axis] != 0) d = std::copysign(d, -places[axis]);
     }
-    const auto leave = static_cast<double>(on_the_line(c.box, c.ray, 0).leave.low);
+    const double leave = rounded(on_the_line(c.box, c.ray, 0).leave.low);
     const int kind = *whole(0, 3);
     if (kind == 0) c.ray.t_max = 0;
     if (kind >= 2 && leave > 0) c.ray.t_min = leave * *rc::gen::element(0.25, 0.5, 1.0);
@@ -78,7 +78,7 @@ inline rc::Gen<Case> from_a_side() {
 
 // A ray exactly in the plane of a side or along an edge, from inside the box or in front of it. The
 // box may be flat, a segment or a point.
-inline rc::Gen<Case> in_planes() {
+inline Boxes in_planes() {
   return rc::gen::exec([] {
     const double scale = *power_of_two(3), speed = *power_of_two(2);
     const int still = *whole(0, 2), moving = (still + *whole(1, 2)) % 3;
@@ -96,14 +96,14 @@ inline rc::Gen<Case> in_planes() {
 }
 
 // The ray's range ends exactly where it enters the box, begins exactly where it leaves it, or both.
-inline rc::Gen<Case> touching_the_range() {
+inline Boxes touching_the_range() {
   return rc::gen::exec([] {
     Case c = whole_case({0, 0, 0}, 8);
     const Part part = on_the_line(c.box, c.ray, 0);
     const int kind = *whole(0, 3);
-    const long double t = kind < 2 ? part.enter.low : part.leave.low;
-    if (kind != 2) c.ray.t_max = static_cast<double>(t);
-    if (kind != 0) c.ray.t_min = static_cast<double>(t);
+    const double t = rounded(kind < 2 ? part.enter.low : part.leave.low);
+    if (kind != 2) c.ray.t_max = t;
+    if (kind != 0) c.ray.t_min = t;
     return c;
   });
 }
@@ -117,7 +117,7 @@ inline pt::Vec3 grid_point(double size) {
 // A ray that grazes an edge or a corner of a triangle's box. All numbers are multiples of 2^-20. So
 // target - origin is exact, and the ray is exactly at the target at t = 1. The box may be up to
 // `away` from the world's origin, at most 2^30.
-inline rc::Gen<Case> grazing(double away = 0) {
+inline Boxes grazing(double away = 0) {
   return rc::gen::exec([=] {
     const pt::Vec3 shift = away > 0 ? grid_point(away) : pt::Vec3{};
     pt::Box box;
@@ -137,7 +137,7 @@ inline rc::Gen<Case> grazing(double away = 0) {
 // it through the other. No number is rounded, but each difference, quotient and product of the slab
 // method is. Of twenty rays, this is the one whose rounding errors separate the planes most. The numbers
 // of each axis are of a size of their own: one axis says nothing about the rounding errors of another.
-inline rc::Gen<Case> separated_by_rounding() {
+inline Boxes separated_by_rounding() {
   return rc::gen::exec([] {
     struct Crossing {
       double origin, plane, speed;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "grader/check/language/cases.h"
 #include "grader/tasks/hit_box/boxes.h"
+#include "grader/tasks/hit_box/truth.h"
+#include "pt/tasks/hit_box.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +21,13 @@ struct Case {
 
 inline void showValue(const Case& c, std::ostream& out) { show_lines(out, c.box, c.ray); }
 
+using Boxes = Cases<Case>;
+
+inline auto call(const Case& c) { return pt::hit_box(c.box, c.ray); }
+inline Part expected(const Case& c, double precision = kPrecision) {
+  return expected(c.box, c.ray, precision);
+}
+
 // The distance from a ray's origin to its target, in sizes of the box. Half of the extreme ones are
 // so large that the squares of distances, in double, say nothing about the box.
 inline double some_distance(Extreme extreme = Extreme::none) {
@@ -25,7 +35,7 @@ inline double some_distance(Extreme extreme = Extreme::none) {
   return *rc::gen::oneOf(magnitude(100, 1e7), magnitude(1e7, 1e9));
 }
 
-inline rc::Gen<Case> aimed_inside(Extreme extreme = Extreme::none) {
+inline Boxes aimed_inside(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
     return Case{box,
@@ -34,7 +44,7 @@ inline rc::Gen<Case> aimed_inside(Extreme extreme = Extreme::none) {
 }
 
 // A ray at a point of a side that faces it, at steep and flat angles.
-inline rc::Gen<Case> aimed_at_a_side(Extreme extreme = Extreme::none) {
+inline Boxes aimed_at_a_side(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
     const int axis = *whole(0, 2);
@@ -50,7 +60,7 @@ inline rc::Gen<Case> aimed_at_a_side(Extreme extreme = Extreme::none) {
 
 // A ray that passes beside an edge of the box. Seen along that edge, the box is a rectangle, and
 // the ray passes beside one of its corners on a line that has the whole rectangle on one side.
-inline rc::Gen<Case> passing(Extreme extreme = Extreme::none) {
+inline Boxes passing(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
     const int i = *whole(0, 2), j = (i + *whole(1, 2)) % 3, k = 3 - i - j;
@@ -81,7 +91,7 @@ inline Case crossing_at(const pt::Box& box, pt::Vec3 p, pt::Vec3 d, int axis, do
 
 // The same, inwards or outwards. On the way the ray moves only some 1e-11 to 1e-5 of the way
 // across, which is ten times the contract's precision or more.
-inline rc::Gen<Case> crossing_on_the_way(bool inwards, Extreme extreme = Extreme::none) {
+inline Boxes crossing_on_the_way(bool inwards, Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box();
     const int axis = *whole(0, 2);
@@ -97,8 +107,33 @@ inline rc::Gen<Case> crossing_on_the_way(bool inwards, Extreme extreme = Extreme
   });
 }
 
+// A ray that starts behind the box, or whose range ends before the box or begins behind it.
+inline Case out_of_range(Case c) {
+  const Part line = on_the_line(c.box, c.ray);
+  const double enter = rounded(line.enter.low), leave = rounded(line.leave.high);
+  const double part = *rc::gen::element(0.5, 0.05, 1e-3, 1e-6);
+  const int kind = *whole(0, 2);
+  if (kind == 0) c.ray.t_min = leave * (1 + part);
+  if (kind == 1 && enter > 0) c.ray.t_max = enter * (1 - part);
+  // For an origin inside the box, t = 0 is inside it too, and no range can end before the box.
+  // This ray starts behind the box instead.
+  if (kind == 2 || (kind == 1 && !(enter > 0))) {
+    c.ray = {c.ray.at(leave + part * (leave - enter)), c.ray.direction};
+  }
+  return c;
+}
+
+// The same ray with a range inside the box: `first` and `last` are parts of the way through it.
+inline Case cut_inside(Case c, double first, double last) {
+  const Part part = expected(c);
+  const double enter = rounded(part.enter.high), way = rounded(part.leave.low) - enter;
+  c.ray.t_min = enter + first * way;
+  c.ray.t_max = enter + last * way;
+  return c;
+}
+
 // A ray that starts outside a side of the box and goes away from it.
-inline rc::Gen<Case> leaving(Extreme extreme = Extreme::none) {
+inline Boxes leaving(Extreme extreme = Extreme::none) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box(extreme);
     const int axis = *whole(0, 2);
@@ -113,7 +148,7 @@ inline rc::Gen<Case> leaving(Extreme extreme = Extreme::none) {
 
 // A ray that starts inside the box, or on a side and goes inwards. The range may begin later, or be
 // the start alone.
-inline rc::Gen<Case> starting_inside() {
+inline Boxes starting_inside() {
   return rc::gen::exec([] {
     const pt::Box box = some_box();
     const int axis = *whole(0, 2);
@@ -125,8 +160,8 @@ inline rc::Gen<Case> starting_inside() {
       d[axis] = (upper ? -1 : 1) * length(d) * *magnitude(1e-3, 1);
     }
     Case c{box, {p, d}};
-    const long double leave = on_the_line(box, c.ray).leave.low;
-    if (kind == 3) c.ray.t_min = *real(0.1, 0.9) * static_cast<double>(leave);
+    const double leave = rounded(on_the_line(box, c.ray).leave.low);
+    if (kind == 3) c.ray.t_min = *real(0.1, 0.9) * leave;
     if (kind == 4) c.ray.t_max = 0;
     return c;
   });
@@ -134,7 +169,7 @@ inline rc::Gen<Case> starting_inside() {
 
 // One or two components of the direction are 0 or -0. The ray is inside the slabs of these axes or,
 // if `beside` is true, outside one of them.
-inline rc::Gen<Case> along_axes(bool beside) {
+inline Boxes along_axes(bool beside) {
   return rc::gen::exec([=] {
     const pt::Box box = some_box();
     const int axis = *whole(0, 2), zeros = *whole(1, 2);
@@ -153,7 +188,7 @@ inline rc::Gen<Case> along_axes(bool beside) {
 
 // A box that is a sheet, and a ray that meets it from either side, at all angles. `thickness` is a
 // part of its diagonal.
-inline rc::Gen<Case> at_a_sheet(double thickness = 0) {
+inline Boxes at_a_sheet(double thickness = 0) {
   return rc::gen::exec([=] {
     const pt::Box any = some_box();
     const int axis = *whole(0, 2);
@@ -168,7 +203,7 @@ inline rc::Gen<Case> at_a_sheet(double thickness = 0) {
 
 // A ray that starts exactly in the plane of a sheet and leaves it: from the sheet itself, or from beside
 // it and towards it. Often this is a plane of the world's axes.
-inline rc::Gen<Case> from_the_plane_of_a_sheet(bool beside) {
+inline Boxes from_the_plane_of_a_sheet(bool beside) {
   return rc::gen::exec([=] {
     pt::Box box = some_box();
     const int axis = *whole(0, 2), other = (axis + *whole(1, 2)) % 3;
@@ -197,7 +232,7 @@ inline Case segment_at(pt::Vec3 target, int axis, double half, pt::Vec3 d, doubl
 inline Case changed(Case c) {
   const double size = length(c.box.extent());
   const Part part = on_the_line(c.box, c.ray);
-  const auto inside = static_cast<double>(std::max(part.leave.low, 0.0L));
+  const double inside = std::max(rounded(part.leave.low), 0.0);
   make_one_of(joined({changes_of(c.box.min, -size), changes_of(c.box.max, size),
                       changes_of(c.ray, size, inside)}));
   return c;

@@ -1,3 +1,4 @@
+#include "grader/tasks/hit_box/truth.h"
 #include "measure/calls/exact.h"
 #include "pt/tasks/hit_box.h"
 
@@ -5,47 +6,18 @@ namespace measure::calls {
 
 namespace {
 
+using namespace grader::check::hit_box_inputs;
+using grader::check::rounded;
 using pt::Vec3;
 
 constexpr std::uint64_t kSeed = 22;
-constexpr long double kMargin = 1e-6L;  // of the largest length: no edges
-
-// An end of the part of the ray in the box, and the ray's speed through the plane at this end.
-struct End {
-  long double t = 0;
-  long double speed = 0;
-};
-
-struct Ends {
-  End enter, leave;
-};
+constexpr double kNoEdges = 1e-6;  // of the largest length
 
 struct Input {
   pt::Box box;
   pt::Ray ray;
-  Ends ends;
-  long double largest = 0;  // coordinate
-
-  bool hits() const { return ends.enter.t <= ends.leave.t; }
+  bool hits = false;
 };
-
-// Returns where the ray enters and leaves, by slabs (Kay and Kajiya 1986), in long double; nothing if the ray runs beside the box.
-std::optional<Ends> find_ends(const pt::Box& box, const pt::Ray& ray) {
-  const long double step = length(Precise3(ray.direction));
-  Ends ends{{ray.t_min, step}, {ray.t_max, step}};
-  for (int axis = 0; axis < 3; ++axis) {
-    const long double o = ray.origin[axis], d = ray.direction[axis];
-    const long double low = box.min[axis], high = box.max[axis];
-    if (d == 0) {
-      if (o < low || o > high) return {};
-      continue;
-    }
-    const long double t0 = ((d > 0 ? low : high) - o) / d, t1 = ((d > 0 ? high : low) - o) / d;
-    if (t0 > ends.enter.t) ends.enter = {t0, std::abs(d)};
-    if (t1 < ends.leave.t) ends.leave = {t1, std::abs(d)};
-  }
-  return ends;
-}
 
 // Some rays are along an axis.
 Vec3 aim(Vec3 to, pt::Sampler& sampler) {
@@ -75,32 +47,19 @@ std::optional<Input> make_input(pt::Sampler& sampler) {
                          ? point(0.9)
                          : center + size * size_between(-0.5, 2, sampler) * any_direction(sampler);
   input.ray.direction = aim(point(1.6) - input.ray.origin, sampler);
-  input.largest =
-      std::max({max_abs(input.box.min), max_abs(input.box.max), max_abs(input.ray.origin)});
   if (!(length(input.ray.direction) > 0)) return {};
-  const std::optional<Ends> ends = find_ends(input.box, input.ray);
-  if (!ends) {
-    input.ends.leave.t = -1;
-    return input;
-  }
-  input.ends = *ends;
-  const long double step = length(input.ray.direction);
-  const long double inside = (ends->leave.t - ends->enter.t) * step;
-  if (is_flat ? std::abs(inside) > 0 && inside > -kMargin * input.largest
-              : std::abs(inside) < kMargin * input.largest) {
-    return {};
-  }
+  const Part part = expected(input.box, input.ray, 0);
+  input.hits = part.is_hit();
+  const double inside = rounded(part.leave.low - part.enter.low) * length(input.ray.direction) /
+                        size_of(input.box, input.ray);
+  if (is_flat ? std::abs(inside) > 0 && inside > -kNoEdges : std::abs(inside) < kNoEdges) return {};
   return input;
 }
 
 void look(const Input& input, const std::optional<pt::Interval>& answer, Found& found) {
-  if (answer.has_value() != input.hits()) ++found.wrong;
-  if (!answer || !input.hits()) return;
-  const auto error = [&](double t, const End& end) {
-    return (t - end.t) * end.speed / input.largest;
-  };
-  keep_largest(found.errors[0], error(answer->min, input.ends.enter));
-  keep_largest(found.errors[0], error(answer->max, input.ends.leave));
+  if (answer.has_value() != input.hits) ++found.wrong;
+  if (!answer || !input.hits) return;
+  keep_largest(found.errors[0], kPrecision * off(input.box, input.ray, *answer));
 }
 
 }  // namespace
