@@ -1,7 +1,6 @@
 #include "grader/mistakes/battery.h"
 
 #include "grader/tasks/camera_ray/inputs.h"
-#include "pt/tasks/camera_ray.h"
 
 #include <utility>
 
@@ -14,7 +13,7 @@ using namespace camera_ray_inputs;
 
 void ask(Battery& battery, const pt::Camera& camera, double x, double y) {
   battery.ask([&]() -> Battery::Numbers {
-    const pt::Ray ray = pt::camera_ray(camera, x, y);
+    const pt::Ray ray = call({camera, {x, y}});
     const auto& [o, d] = std::pair(ray.origin, ray.direction);
     return {o.x, o.y, o.z, d.x, d.y, d.z, ray.t_min, ray.t_max};
   });

@@ -1,7 +1,6 @@
 #include "grader/check/language/curve.h"
 #include "grader/check/language/property.h"
 #include "grader/tasks/camera_ray/inputs.h"
-#include "pt/tasks/camera_ray.h"
 
 #include <cmath>
 
@@ -11,17 +10,15 @@ namespace {
 using namespace camera_ray_inputs;
 
 // The distance from a random point of the picture to where its ray meets the window, in widths of the
-// window, which is from -half to half. The tangent of the task's angle is computed in extended
-// precision.
+// window, which is from -half to half.
 double off_the_window(double half, const pt::Frame& turn) {
-  constexpr long double kHalfDegree = 3.14159265358979323846264338327950288L / 360;
   pt::Camera camera;
-  camera.hfov_deg = static_cast<double>(std::atan(static_cast<long double>(half)) / kHalfDegree);
+  camera.hfov_deg = std::atan(half) / radians(0.5);
   camera.vfov_deg = 60;
   camera.camera_to_world = turn;
-  const auto width = static_cast<double>(2 * std::tan(kHalfDegree * camera.hfov_deg));
+  const double width = window_of(camera).width;
   const double x = *real(0, 1);
-  const pt::Vec3 direction = turn.to_local(pt::camera_ray(camera, x, 0.5).direction);
+  const pt::Vec3 direction = turn.to_local(call({camera, {x, 0.5}}).direction);
   return std::abs(on_plane(direction).x - (x - 0.5) * width) / width;
 }
 

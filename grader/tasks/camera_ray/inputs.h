@@ -3,6 +3,8 @@
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/random_numbers.h"
 #include "grader/check/generators/special.h"
+#include "grader/tasks/camera_ray/truth.h"
+#include "pt/tasks/camera_ray.h"
 
 #include <algorithm>
 #include <array>
@@ -164,6 +166,10 @@ struct Aimed {
   pt::Vec2 at;
 };
 
+inline pt::Ray call(const Aimed& aimed) {
+  return pt::camera_ray(aimed.camera, aimed.at.x, aimed.at.y);
+}
+
 inline void showValue(const Aimed& aimed, std::ostream& out) {
   out << show(aimed.camera) << "\nx: " << show(aimed.at.x) << "\ny: " << show(aimed.at.y);
 }
@@ -202,15 +208,6 @@ inline Aimed exchanged(Aimed aimed) {
   if (kind == 1) std::swap(camera.hfov_deg, camera.vfov_deg);
   if (kind == 2) exchange_or_add_in({&camera.position});
   return aimed;
-}
-
-// The size of the window, at distance 1.
-struct Window {
-  double width, height;
-};
-
-inline Window window_of(const pt::Camera& camera) {
-  return {2 * std::tan(radians(camera.hfov_deg) / 2), 2 * std::tan(radians(camera.vfov_deg) / 2)};
 }
 
 // Returns where a direction meets the window of an unmoved camera. A direction that points

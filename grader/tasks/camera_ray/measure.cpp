@@ -1,9 +1,13 @@
+#include "grader/tasks/camera_ray/truth.h"
 #include "measure/calls/exact.h"
 #include "pt/tasks/camera_ray.h"
 
 namespace measure::calls {
 
 namespace {
+
+using grader::check::Exact3;
+using grader::check::camera_ray_inputs::to_the_window;
 
 constexpr std::uint64_t kSeed = 12;
 
@@ -25,21 +29,11 @@ std::optional<Input> make_input(pt::Sampler& sampler) {
   return input;
 }
 
-Precise3 true_direction(const Input& input) {
-  constexpr long double kHalfDegree = 3.14159265358979323846264338327950288L / 360;
-  const pt::Camera& camera = input.camera;
-  const long double x = (2 * static_cast<long double>(input.x) - 1) *
-                        std::tan(kHalfDegree * static_cast<long double>(camera.hfov_deg));
-  const long double y = (2 * static_cast<long double>(input.y) - 1) *
-                        std::tan(kHalfDegree * static_cast<long double>(camera.vfov_deg));
-  const pt::Frame& frame = camera.camera_to_world;
-  return normalize(x * Precise3(frame.x) + y * Precise3(frame.y) - Precise3(frame.z));
-}
-
 void look(const Input& input, const pt::Ray& ray, Found& found) {
-  keep_largest(found.errors[0], length(Precise3(ray.direction) - true_direction(input)));
+  const Exact3 direction = normalize(to_the_window(input.camera, input.x, input.y));
+  keep_largest(found.errors[0], length(ray.direction - direction));
   const pt::Vec3 position = input.camera.position;
-  keep_largest(found.errors[1], length(Precise3(ray.origin) - position) / length(position));
+  keep_largest(found.errors[1], length(ray.origin - Exact3(position)) / length(position));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "grader/check/language/property.h"
 #include "grader/tasks/camera_ray/inputs.h"
-#include "pt/tasks/camera_ray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +13,12 @@ namespace {
 
 using namespace camera_ray_inputs;
 
-pt::Ray ray_of(const Aimed& aimed) { return pt::camera_ray(aimed.camera, aimed.at.x, aimed.at.y); }
-
 // The ray of a call that follows another one. A first call has nothing in common with either, so each
 // pair is a case of its own.
 pt::Ray second_ray(const InTurn<Aimed>& calls) {
-  ray_of({{{7, 8, 9}, {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, 33, 44, 5, 6}, {0.125, 0.375}});
-  ray_of(calls.before);
-  return ray_of(calls.now);
+  call({{{7, 8, 9}, {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, 33, 44, 5, 6}, {0.125, 0.375}});
+  call(calls.before);
+  return call(calls.now);
 }
 
 // Checks the ray of a call, and then the ray of a call that follows another one.
@@ -30,7 +27,7 @@ void for_all_calls(const rc::Gen<Aimed>& calls, const Check& check, int cases = 
   for_all(
       [&] {
         const Aimed aimed = *calls;
-        check(aimed, ray_of(aimed));
+        check(aimed, call(aimed));
       },
       cases);
   for (const auto& other : {&changed, &exchanged}) {
@@ -66,7 +63,7 @@ PROMISE(camera_ray, has_a_unit_direction) {
   once(expect_a_picture);
   if (testing::Test::HasFailure()) return;
   for_all([] {
-    expect_near("the length of the direction", length(ray_of(*aimed(moved())).direction), 1,
+    expect_near("the length of the direction", length(call(*aimed(moved())).direction), 1,
                 kPrecision);
   });
 }
@@ -168,7 +165,7 @@ void expect_turned(const Aimed& aimed, const pt::Ray& ray) {
   moved_back.camera.camera_to_world = {};
   const pt::Camera& at_origin = moved_back.camera;
   const pt::Vec3 direction = normalize(ray.direction);
-  const pt::Vec3 unturned = normalize(ray_of(moved_back).direction);
+  const pt::Vec3 unturned = normalize(call(moved_back).direction);
   const Window window = window_of(c);
   expect_near("the direction in the camera's frame, compared with a camera that is not turned",
               c.camera_to_world.to_local(direction), unturned,

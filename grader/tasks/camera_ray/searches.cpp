@@ -1,18 +1,10 @@
 #include "grader/check/language/bad_inputs.h"
-#include "grader/check/language/exact.h"
 #include "grader/tasks/camera_ray/inputs.h"
-#include "pt/tasks/camera_ray.h"
 
 namespace grader::check {
 namespace {
 
 using namespace camera_ray_inputs;
-
-// The tangent of half an angle in degrees, in extended precision.
-long double half_size(double degrees) {
-  constexpr long double kHalfDegree = 3.14159265358979323846264338327950288L / 360;
-  return std::tan(kHalfDegree * degrees);
-}
 
 SEARCH(camera_ray, window) {
   return {.title = "a ray of any camera: how far it meets the window from its point",
@@ -20,20 +12,18 @@ SEARCH(camera_ray, window) {
           .badness = [] {
             const Aimed made = *aimed(moved());
             const pt::Camera& c = made.camera;
-            const double x = made.at.x, y = made.at.y;
-            show_input([&] { return show(c) + "\nx " + show(x) + ", y " + show(y); });
-            const pt::Ray ray = pt::camera_ray(c, x, y);
-            const Exact3 d = ray.direction;
-            const Exact z = -dot(d, Exact3(c.camera_to_world.z));
-            const Exact at_x = dot(d, Exact3(c.camera_to_world.x)) / z;
-            const Exact at_y = dot(d, Exact3(c.camera_to_world.y)) / z;
-            const long double w = half_size(c.hfov_deg), h = half_size(c.vfov_deg);
-            const Exact right_x = (2 * Exact(x) - 1) * w, right_y = (2 * Exact(y) - 1) * h;
-            const pt::Vec2 at{rounded(right_x), rounded(right_y)};
-            const double off_x = std::abs(rounded(at_x - right_x));
-            const double off_y = std::abs(rounded(at_y - right_y));
-            return std::max({off_x / tolerance(2 * static_cast<double>(w), at),
-                             off_y / tolerance(2 * static_cast<double>(h), at),
+            show_case(made);
+            const pt::Ray ray = call(made);
+            const auto& [right, up, back] = c.camera_to_world;
+            const Exact3 d = ray.direction, way = to_the_window(c, made.at.x, made.at.y);
+            const Exact3 off = -1 / dot(d, Exact3(back)) * d - way;
+            const auto along = [](const Exact3& a, pt::Vec3 b) {
+              return rounded(dot(a, Exact3(b)));
+            };
+            const pt::Vec2 at{along(way, right), along(way, up)};
+            const auto [width, height] = window_of(c);
+            return std::max({std::abs(along(off, right)) / tolerance(width, at),
+                             std::abs(along(off, up)) / tolerance(height, at),
                              std::abs(length(ray.direction) - 1) / kPrecision});
           }};
 }
