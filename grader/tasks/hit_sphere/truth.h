@@ -27,7 +27,7 @@ inline Exact t_in_front(const pt::Sphere& sphere, const pt::Ray& ray) {
   return middle > half ? middle - half : middle + half;
 }
 
-// How far the point and the normal of an answer are from the right ones, in radii.
+// The errors of the point and of the normal of an answer, in radii.
 struct Off {
   double point, normal;
 };
