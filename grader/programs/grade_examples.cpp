@@ -192,7 +192,7 @@ bool judge_task(const Judge& judge, const build::TaskConfig& task, const Options
   return own && std::ranges::all_of(verdicts->examples, is_fine);
 }
 
-// What the examples catch, for `grade`: rows of points (grader/programs/examples_in_results.h). Empty if they cannot be judged.
+// The mistakes that the examples catch, for `grade`: rows of points (grader/programs/examples_in_results.h). Empty if they cannot be judged.
 nlohmann::json counts_of(const Judge& judge, const build::TaskConfig& task,
                          const Options& options) {
   nlohmann::json rows = nlohmann::json::array();

@@ -38,7 +38,7 @@ std::string task_of_examples(const std::string& judged) {
   return judged.substr(0, judged.rfind(kExamples));
 }
 
-// What ./run printed, without the lines that only say that it is at work (scripts/build.sh).
+// The lines that ./run printed, without the lines that only say that it is at work (scripts/build.sh).
 std::string without_progress(const std::string& output) {
   std::string text;
   for (const std::string& line : base::lines_of(output)) {

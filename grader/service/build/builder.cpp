@@ -67,7 +67,7 @@ std::set<std::string> contract_of(const TaskConfig& task) {
   return functions;
 }
 
-// What pt/examples/ defines, besides inline functions.
+// The functions that pt/examples/ defines, besides inline ones.
 constexpr const char* kForExamples[] = {
     "examples::add",
     "examples::expect",

@@ -44,7 +44,7 @@ static Input any_input(Sampler& sampler, int kind) {
   return input;
 }
 
-// How many of n samples were on the left, by one channel of the mean. `fits` says whether this is a whole number.
+// The number of n samples on the left, by one channel of the mean. `fits` says whether this is a whole number.
 struct Left {
   double count;
   bool fits;

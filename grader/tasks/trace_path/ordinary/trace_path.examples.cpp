@@ -88,7 +88,7 @@ static Input any_input(Sampler& sampler, int kind) {
           in_a_closed_room(albedo, settings)};
 }
 
-// Whether the mean of a channel agrees with what is expected.
+// True if the mean of a channel agrees with what is expected.
 static bool agrees(const std::vector<double>& values, double expected) {
   const auto count = static_cast<double>(values.size());
   double sum = 0, squares = 0;
