@@ -56,7 +56,7 @@ static Left left_of(const Input& input, const PixelEstimate& estimate) {
   return {count, std::abs(count - std::round(count)) < 0.1};
 }
 
-// Whether the interval is narrow if so many of n samples are on the left. Close to the limit both are right: `slack` is 1 or -1.
+// True if the interval is narrow when so many of n samples are on the left. Close to the limit both are right: `slack` is 1 or -1.
 static bool is_narrow(const Input& input, double count, double n, int slack) {
   const double a = luminance(input.left), b = luminance(input.right), p = count / n;
   const double mean = p * a + (1 - p) * b;
