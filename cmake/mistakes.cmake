@@ -111,7 +111,7 @@ function(firstlight_add_fingerprints slug)
   list(REMOVE_DUPLICATES includes)
   list(SORT includes)
   list(JOIN includes "\n" INCLUDES)
-  # In a namespace of its own, each mistake defines the functions of the contract by other names.
+  # Each mistake has a namespace of its own, in which the functions of the contract have other names.
   set(RENAMED)
   set(RENAMED_BACK)
   foreach(function IN LISTS FIRSTLIGHT_FUNCTIONS_${slug})

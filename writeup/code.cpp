@@ -20,7 +20,7 @@ constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 
 std::string built_file(const Options& options) { return options.work + "/submission.json"; }
 
-// Compiles the submission, with the parts of this file besides its tasks.
+// Compiles the submission, and links its tasks with the parts that the file `parts` lists.
 void build(const Options& options, const std::string& built, const std::string& parts) {
   const auto result =
       grader::process::run_command({{options.boxed, "build", options.submission, built, parts},

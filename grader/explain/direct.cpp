@@ -32,7 +32,7 @@ constexpr double kCosine = 3e-6;
 constexpr const char* kSampler = "draws_from_the_sampler_alone";
 
 // Shadow rays of many programs end a ten-thousandth of the way before the light. Far from the world's origin, the offset at their start moves
-// them sideways, and a surface of the light that is met at a small angle may hide it: offsets longer than this part of the way.
+// them sideways, and a surface of the light, met at a small angle, may then hide the light. That can happen if the offset is longer than this part of the way.
 constexpr double kCutOff = 5e-7;
 
 // A call may draw so many numbers of its own, between those of its lights.

@@ -194,7 +194,7 @@ void count_points(const Points& points, TaskResult& result) {
   for (PictureResult& picture : result.pictures) {
     picture.max_points = worth(task.picture, task.pictures, picture.recipe);
     const int most = static_cast<int>(std::lround(share * picture.max_points));
-    // A wrong picture is only called integrated if it is right with the reference elsewhere.
+    // A wrong picture is called integrated only if it is right with the reference for all other tasks.
     picture.points = picture.state == State::pass || picture.integrated ? most
                      : picture.state == State::too_noisy ? std::min(task.too_noisy, most)
                                                          : 0;

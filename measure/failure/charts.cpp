@@ -69,7 +69,7 @@ std::string data(const Charts& charts, const Chart& chart) {
   std::string csv = "line,place,error,cases,without,reason,noise\n";
   for (std::size_t i = 0; i < charts.lines.size(); ++i) {
     if (i > 0) csv += "\n\n";
-    // gnuplot only counts blocks with lines.
+    // gnuplot does not count empty blocks: a line of the chart without points gets a row without values.
     if (chart.points[i].empty())
       csv += grader::report::csv_field(charts.lines[i].title) + ",,,,,,\n";
     for (const Point& p : chart.points[i]) {

@@ -66,9 +66,9 @@ class Starter {
   std::vector<Worker> started_;
 };
 
-// Chooses the ideas for light samples that pay here, and their numbers of samples, by what the rungs'
-// own programs take. Solid angles are kept if they pay with low-discrepancy samples: that rung's
-// program has both.
+// Chooses the ideas for light samples that pay here, and their numbers of samples, by the cost of
+// each rung's own program. Solid angles are kept if they pay together with low-discrepancy samples, as one program
+// has both.
 void choose_lights(Chosen& chosen, Starter& starter, const Turning& turning) {
   Rung plain{"", "reference"};
   plain.way = {Direct::lights, chosen.bounces, chosen.survival};

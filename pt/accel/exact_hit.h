@@ -8,7 +8,7 @@
 #include <immintrin.h>
 #endif
 
-// The wide engine's decision in double precision whether a ray meets a surface. Every hit that the
+// Here the wide engine decides, in double precision, whether a ray meets a surface. Every hit that the
 // engine finds in single precision is decided here, so its answers are the same as from testing
 // every primitive in turn. Nothing here depends on the instruction set, so that all machines
 // compute the same bits. Functions are internal, as this file is compiled for several sets.

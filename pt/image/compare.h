@@ -11,7 +11,7 @@
 
 namespace pt {
 
-// relMSE adds this part of the right picture's mean to its divisor: dark pixels stay bounded, and the
+// relMSE adds this part of the right picture's mean to its divisor: the errors of dark pixels stay bounded, and the
 // error is the same for a scene and for the same scene under lamps ten times as bright.
 inline constexpr double kDark = 0.04;
 inline double dark_of(double mean) { return kDark * mean; }

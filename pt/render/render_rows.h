@@ -21,7 +21,7 @@ struct RowsRequest {
   std::uint64_t seed = 0;
   // For `measured`:
   std::vector<BounceRange> ranges{};  // a picture of each, from the same paths
-  std::vector<int> only{};  // if any: these pixels, y * width + x, as one row in place of the rows
+  std::vector<int> only{};            // if not empty: these pixels alone, y * width + x, as one row
 };
 
 // The part of a result that only the implementation `measured` of render_rows fills in: a value per pixel, like the means.

@@ -30,7 +30,7 @@ UNTIL_Q = {"watch": b"q quit", "view": b"http://", "debug": b"(gdb)"}
 
 
 def commands():
-    """The page and the command of every line of code and of every whole command in a sentence."""
+    """Yields the page and the command, for each command on a line of its own or in backquotes in a sentence."""
     for page in PAGES:
         with open(page, encoding="utf-8") as file:
             text = file.read()

@@ -59,7 +59,7 @@ def covered(task, file, folder):
 
 
 def rare_arms(task, file):
-    """The number of calls, and the lines with an arm that too few of them take, each with its rarest count."""
+    """The number of calls; and for each line with an arm that too few calls take, the lowest count of its arms."""
     with tempfile.TemporaryDirectory(dir=task.build) as folder:
         found = covered(task, file, pathlib.Path(folder))
     public = tuple(f"pt::{function}(" for function in task.functions)

@@ -220,7 +220,7 @@ TEST_F(NumbersTest, a_path_without_a_task_that_compiles_is_not_shown) {
   EXPECT_EQ(failure("ray"), "") << "it needs no light";
 }
 
-// The divisor of errors is the luminance and 4 % of the mean: 1 in an even picture of this luminance.
+// Errors are divided by the luminance plus 4 % of the mean. In an even picture of this luminance, that is 1.
 constexpr double kUnit = 1 / 1.04;
 
 Rendered even(double luminance, const std::vector<double>& variances, int samples) {

@@ -6,8 +6,8 @@
 
 namespace grader::classes {
 
-// While it lives, no other process or thread has a claim on the same name in the same folder; the
-// constructor waits for that. A claim ends with its process, however that ends. It also holds
+// While a claim lives, no other process or thread has one on the same name in the same folder; the
+// constructor waits until the name is free. A claim ends with its process, however that ends. It also holds
 // between machines that share the folder, if the file system has locks (NFS has).
 class Claim {
  public:

@@ -46,7 +46,7 @@ std::vector<std::string> notes_on_others(const Tree& tree, const std::filesystem
                                          const std::map<std::string, std::filesystem::path>& files,
                                          const std::vector<TaskFile>& tasks);
 
-// Returns whether it is one submission, judged by its top files and folders (below single folders).
+// Returns whether the folder is one submission, by the files and folders at its top. A folder that has only one folder is entered first.
 bool is_submission(const std::filesystem::path& folder, const std::vector<TaskFile>& tasks);
 
 // Returns whether several of its folders and archives are submissions. Then it is not one

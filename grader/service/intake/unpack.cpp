@@ -40,7 +40,7 @@ constexpr const char* kFaults = ".faults";  // hidden, so no entry can have this
 constexpr const char* kNotAFile =
     "#error \"in the archive that was handed in, this is a link or a device; hand in the file\"\n";
 
-// The same for a file whose path leads out of the folder, which is not followed.
+// The folder, and the text, in place of a file whose path leads out of the archive. Such a path is not followed.
 constexpr const char* kOutside = "paths that lead out of the archive";
 constexpr const char* kLeadsOut =
     "#error \"in the archive that was handed in, the path of this file leads out of it; pack the "

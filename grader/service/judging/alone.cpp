@@ -187,7 +187,7 @@ build::Built link_alone(const build::Config& config, const build::Builder& build
   add("radiance", config.radiance);
   // The submission comes last: if objects share inline functions, the linker takes the first ones.
   objects.push_back(judged.object.path);
-  // Calls of tasks that trace are part of its record (grader/explain/record.h).
+  // If the task calls tasks that trace rays, its record has these calls (grader/explain/record.h).
   const bool is_recorded = elsewhere == Elsewhere::answers &&
                            std::ranges::any_of(task.calls, [](const std::string& other) {
                              return task_of(other).traces;

@@ -71,7 +71,7 @@ void check_names(const results::Points& points, const std::vector<Judged>& judge
   }
 }
 
-// Without this check, a misspelt promise of a dialect would be judged.
+// Without this check, a misspelt name in a dialect would do nothing, and its promise would be judged.
 void check_dialect(const door::Dialect& dialect, const std::vector<Judged>& judged) {
   for (const Judged& each : judged) {
     const auto found = dialect.promises.find(each.config->slug);

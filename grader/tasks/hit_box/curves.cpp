@@ -43,7 +43,7 @@ CURVE(hit_box, thin) {
 
 // Logarithmic places have no 0, so the last place represents 0, with either sign.
 constexpr double kSmallest = 1e-315, kZero = std::numeric_limits<double>::denorm_min();
-// Its inverse is finite.
+// 1 / kInvertible is finite.
 constexpr double kInvertible = 1e-294;
 
 std::vector<double> down_to_zero() {

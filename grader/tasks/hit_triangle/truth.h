@@ -17,7 +17,7 @@ struct Place {
   double least() const { return std::min({rounded(b0), rounded(b1), rounded(b2)}); }
 };
 
-// Of a point beside the plane, this is the place of its projection.
+// The place of p; if p is beside the plane, the place of its projection.
 inline Place place_of(const pt::Triangle& triangle, const Exact3& p) {
   const Exact3 p0 = triangle.p0, p1 = triangle.p1, p2 = triangle.p2;
   const Exact3 n = cross(p1 - p0, p2 - p0);
