@@ -8,6 +8,7 @@
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/image_io.h"
+#include "pt/math/uncertain.h"
 
 #include <filesystem>
 #include <optional>
@@ -106,12 +107,11 @@ std::string described(const pictures::WelchTest& test) {
   for (const BlockDifference& block : test.blocks) {
     if (block.side == 24) found.push_back(block.would_be_found);
   }
-  std::ranges::nth_element(found, found.begin() + found.size() / 2);
   return fmt::format(
       "equal    as far as the noise shows: {:.2g} % of the whole picture would have been found "
       "nine "
       "times of ten, and {:.2g} % of a block of 24 x 24\n",
-      100 * test.blocks.back().would_be_found, 100 * found[found.size() / 2]);
+      100 * test.blocks.back().would_be_found, 100 * pt::median_of(found));
 }
 
 int run(const Options& options) {

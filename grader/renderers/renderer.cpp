@@ -153,6 +153,10 @@ std::vector<std::string> files_of(const std::vector<std::string>& command) {
 }
 
 pt::Image render(const OtherRenderer& renderer, const Asked& asked) {
+  // A picture of the run before must not stand for this one's.
+  for (const fs::directory_entry& file : fs::directory_iterator(renderer.folder)) {
+    fs::remove_all(file.path());
+  }
   const fs::path out = fs::absolute(renderer.folder) / ("out." + renderer.format);
   sandbox::Box box;
   box.command = filled(renderer.command, asked, out);
@@ -173,25 +177,17 @@ pt::Image render(const OtherRenderer& renderer, const Asked& asked) {
       process::run_command(sandbox::boxed(box, renderer.tier), renderer.most);
   const std::string problem =
       fault(renderer, run, sandbox::program_status(run.status, renderer.tier));
-  const auto no_picture = [](results::Cause cause, const std::string& text) {
-    return NoPicture{cause, text};
-  };
   if (!problem.empty()) {
-    throw no_picture(run.timed_out ? results::Cause::timeout : results::Cause::crash, problem);
+    throw NoPicture{run.timed_out ? results::Cause::timeout : results::Cause::crash, problem};
   }
   if (!fs::exists(out)) {
-    throw no_picture(results::Cause::bad_reply, "it ended well and wrote no picture to {out}");
+    throw NoPicture{results::Cause::bad_reply, "it ended well and wrote no picture to {out}"};
   }
-  pt::Image picture;
   try {
-    picture = pt::read_image(out);
+    return pt::read_image(out);
   } catch (const pt::Error& error) {
-    throw no_picture(results::Cause::bad_reply, error.what());
+    throw NoPicture{results::Cause::bad_reply, error.what()};
   }
-  for (const fs::directory_entry& file : fs::directory_iterator(renderer.folder)) {
-    fs::remove_all(file.path());
-  }
-  return picture;
 }
 
 }  // namespace grader::renderers

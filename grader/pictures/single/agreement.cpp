@@ -1,6 +1,8 @@
 #include "grader/pictures/single/agreement.h"
 
 #include "grader/base/normal.h"
+#include "grader/pictures/statistics/blocks.h"
+#include "pt/math/uncertain.h"
 
 #include <algorithm>
 #include <cassert>
@@ -63,45 +65,35 @@ double noise_of(const std::vector<double>& off, const std::vector<double>& varia
     ratios.push_back(step * step / expected);
   }
   if (ratios.empty()) return 0;
-  std::ranges::nth_element(ratios, ratios.begin() + ratios.size() / 2);
-  return ratios[ratios.size() / 2] / kMedianOfChiSquare;
+  return pt::median_of(ratios) / kMedianOfChiSquare;
 }
 
 struct Sums {
   double difference = 0, variance = 0, mean = 0, blur = 0, step = 0, clipped = 0;
 };
 
-// Calls use(block, sums) for every block.
-template <class Use>
-void for_each_block(const OwnPictures& own, const std::vector<double>& off,
-                    const std::vector<double>& mean, const Use& use) {
-  for (const int side : kSingleSides) {
-    const int across = side == 0 ? own.width : side, down = side == 0 ? own.height : side;
-    for (int y = 0; y < own.height; y += down) {
-      for (int x = 0; x < own.width; x += across) {
-        const SingleBlock block{x, y, std::min(across, own.width - x),
-                                std::min(down, own.height - y), side};
-        Sums sums;
-        for (int v = y; v < y + block.height; ++v) {
-          for (int u = x; u < x + block.width; ++u) {
-            const std::size_t i = static_cast<std::size_t>(v) * own.width + u;
-            sums.difference += off[i];
-            sums.variance += own.variance[i];
-            sums.mean += mean[i];
-            sums.blur += own.filtered[i];
-            if (!own.step.empty()) sums.step += own.step[i];
-            sums.clipped += own.clipped[i];
-          }
-        }
-        use(block, sums);
-      }
+Sums sums_of(const SingleBlock& block, const OwnPictures& own, const std::vector<double>& off,
+             const std::vector<double>& mean) {
+  Sums sums;
+  for (int y = block.y; y < block.y + block.height; ++y) {
+    for (int x = block.x; x < block.x + block.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * own.width + x;
+      sums.difference += off[i];
+      sums.variance += own.variance[i];
+      sums.mean += mean[i];
+      sums.blur += own.filtered[i];
+      if (!own.step.empty()) sums.step += own.step[i];
+      sums.clipped += own.clipped[i];
     }
   }
+  return sums;
 }
 
-int blocks_of(const OwnPictures& own, int side) {
-  if (side == 0) return 1;
-  return ((own.width + side - 1) / side) * ((own.height + side - 1) / side);
+// The number of standard deviations that a block of this side may be off by.
+double threshold_of(const OwnPictures& own, int side) {
+  int blocks = 0;
+  for_each_block(own.width, own.height, side, [&](int, int, int, int) { ++blocks; });
+  return base::normal_quantile_above(kSingleLevel / kSingleSides.size() / blocks / 2);
 }
 
 // The evidence of each side is divided by `farthest` where that is more than 1.
@@ -116,29 +108,31 @@ Agreement measured(const pt::Image& picture, const OwnPictures& own,
   double total = 0;
   for (const double each : mean) total += each;
   const double dark = kDark * total / static_cast<double>(mean.size());
-  for_each_block(own, off, mean, [&](SingleBlock block, const Sums& sums) {
-    const std::size_t k = std::ranges::find(kSingleSides, block.side) - kSingleSides.begin();
-    const double pixels = static_cast<double>(block.width) * block.height;
-    // Another filter moves light over the border of a block, another rounding moves it by a part of a code.
-    // A picture with less noise than ours loses less by clipping, one with more loses more.
-    const double shift = (1 - std::min(result.noise, kMostNoise)) * sums.clipped;
-    // Another filter moves light over the border of a block, another rounding moves it by a part of a code.
-    const double margin = kMargins[k] * sums.mean + dark * pixels + std::abs(sums.blur) +
-                          0.25 * sums.step + 0.5 * (std::abs(sums.clipped) + std::abs(shift));
-    const double level = kSingleLevel / kSingleSides.size() / blocks_of(own, block.side) / 2;
-    const double threshold = base::normal_quantile_above(level) * std::max(1.0, farthest[k]);
-    const double sigma = std::sqrt(sums.variance * (noise + 1 / pictures));
-    const double bright = std::max(sums.mean, dark * pixels);
-    const double beyond = std::max(0.0, std::abs(sums.difference - shift) - margin);
-    if (block.side == kSingleSides[0] && sigma > 0) {
-      result.distance += sums.difference * sums.difference / (sigma * sigma);
-    }
-    block.off_by = sums.difference / bright;
-    block.evidence = beyond == 0 ? 0 : beyond / std::max(threshold * sigma, 1e-12);
-    block.would_be_found = (margin + threshold * sigma) / bright;
-    result.blocks.push_back(block);
-    if (block.evidence > result.worst.evidence || result.blocks.size() == 1) result.worst = block;
-  });
+  for (std::size_t k = 0; k < kSingleSides.size(); ++k) {
+    const int side = kSingleSides[k];
+    const double threshold = threshold_of(own, side) * std::max(1.0, farthest[k]);
+    for_each_block(own.width, own.height, side, [&](int x, int y, int width, int height) {
+      SingleBlock block{x, y, width, height, side};
+      const Sums sums = sums_of(block, own, off, mean);
+      const double pixels = static_cast<double>(width) * height;
+      // A picture with less noise than ours loses less by clipping, one with more loses more.
+      const double shift = (1 - std::min(result.noise, kMostNoise)) * sums.clipped;
+      // Another filter moves light over the border of a block, another rounding moves it by a part of a code.
+      const double margin = kMargins[k] * sums.mean + dark * pixels + std::abs(sums.blur) +
+                            0.25 * sums.step + 0.5 * (std::abs(sums.clipped) + std::abs(shift));
+      const double sigma = std::sqrt(sums.variance * (noise + 1 / pictures));
+      const double bright = std::max(sums.mean, dark * pixels);
+      const double beyond = std::max(0.0, std::abs(sums.difference - shift) - margin);
+      if (k == 0 && sigma > 0) {
+        result.distance += sums.difference * sums.difference / (sigma * sigma);
+      }
+      block.off_by = sums.difference / bright;
+      block.evidence = beyond == 0 ? 0 : beyond / std::max(threshold * sigma, 1e-12);
+      block.would_be_found = (margin + threshold * sigma) / bright;
+      result.blocks.push_back(block);
+      if (block.evidence > result.worst.evidence || result.blocks.size() == 1) result.worst = block;
+    });
+  }
   return result;
 }
 
@@ -171,14 +165,13 @@ OwnPictures own_pictures(std::vector<pt::Image> pictures, const CodecMeans& mean
   OwnPictures own;
   own.width = pictures[0].width;
   own.height = pictures[0].height;
-  own.mean = pt::Image(own.width, own.height);
+  own.mean = mean_of(pictures);
   own.step = means.steps;
   const double count = static_cast<double>(pictures.size());
   std::vector<double> raw(own.mean.pixels.size());
   for (std::size_t i = 0; i < raw.size(); ++i) {
     double y = 0, squares = 0;
     for (const pt::Image& picture : pictures) {
-      own.mean.pixels[i] += picture.pixels[i] / count;
       y += luminance(picture.pixels[i]) / count;
     }
     for (const pt::Image& picture : pictures) {
@@ -202,8 +195,7 @@ OwnPictures own_pictures(std::vector<pt::Image> pictures, const CodecMeans& mean
   }
   std::vector<double> noises;
   for (std::size_t k = 0; k < kForNoise; ++k) noises.push_back(against_the_others(own, k).noise);
-  std::ranges::nth_element(noises, noises.begin() + kForNoise / 2);
-  if (noises[kForNoise / 2] > 0) own.noise = noises[kForNoise / 2];
+  if (const double noise = pt::median_of(noises); noise > 0) own.noise = noise;
   return own;
 }
 

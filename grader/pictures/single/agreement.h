@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-// One picture is compared with pictures of the same settings by the reference. There is no second picture of a stranger, so nothing can repeat
-// itself: the thresholds are far out, and our own pictures say how far a right one lies.
+// One picture is compared with pictures of the same settings by the reference. There is only the one, so a suspicion cannot be tested
+// on new samples: the thresholds are far out, and our own pictures say how far a right one lies.
 
 namespace grader::pictures {
 

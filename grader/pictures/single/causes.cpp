@@ -1,5 +1,6 @@
 #include "grader/pictures/single/causes.h"
 
+#include "pt/math/uncertain.h"
 #include "pt/scene/scene.h"
 #include "pt/tasks/camera_ray.h"
 
@@ -7,15 +8,13 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
-#include <optional>
 
 #include <fmt/format.h>
 
 namespace grader::pictures {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using pt::kPi;
 
 // Factors that people write, and their names.
 struct Factor {
@@ -152,11 +151,6 @@ void try_factors(Suspects& suspects, const SingleQuestion& question, const Pictu
   }
 }
 
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + values.size() / 2);
-  return values[values.size() / 2];
-}
-
 // The factor between a picture and ours, where neither is clipped or nearly black; 0 if too few pixels say it.
 double brightness(const pt::Image& theirs, const pt::Image& ours) {
   std::vector<double> ratios;
@@ -165,7 +159,7 @@ double brightness(const pt::Image& theirs, const pt::Image& ours) {
     if (a > 0.01 && max_channel(theirs.pixels[i]) < 0.8 && b > 0.01) ratios.push_back(a / b);
   }
   if (ratios.size() < 100) return 0;
-  const double about = median(ratios);
+  const double about = pt::median_of(ratios);
   double sum = 0, of_ours = 0;
   for (std::size_t i = 0; i < theirs.pixels.size(); ++i) {
     const double b = max_channel(ours.pixels[i]) * about;
@@ -233,7 +227,7 @@ std::string black_material(const SingleQuestion& question, const SingleVerdict& 
     std::ranges::sort(sorted);
     if (sorted[sorted.size() * 9 / 10] < 0.05) {
       black.push_back(material);
-    } else if (std::abs(median(all) - 1) > 0.25) {
+    } else if (std::abs(pt::median_of(all) - 1) > 0.25) {
       return "";
     }
   }

@@ -7,6 +7,7 @@
 #include "pt/image/image_io.h"
 #include "pt/image/pfm.h"
 #include "pt/image/tone_map.h"
+#include "pt/math/uncertain.h"
 #include "pt/render/render_film.h"
 
 #include <algorithm>
@@ -33,10 +34,9 @@ std::string would_be_found(const Agreement& agreement) {
     if (block.side == 24) blocks.push_back(block.would_be_found);
     if (block.side == 0) whole = block.would_be_found;
   }
-  std::ranges::nth_element(blocks, blocks.begin() + blocks.size() / 2);
   return fmt::format(
       "{} of the whole picture or {} in a block of 24 x 24 would have been called wrong",
-      percent(whole), percent(blocks[blocks.size() / 2]));
+      percent(whole), percent(pt::median_of(blocks)));
 }
 
 // The sentence about a picture that cannot be compared; empty if it can.

@@ -1,6 +1,7 @@
 #include "grader/pictures/statistics/cells.h"
 
 #include "grader/base/normal.h"
+#include "grader/pictures/statistics/blocks.h"
 
 #include <algorithm>
 #include <array>
@@ -30,18 +31,10 @@ bool holds_weight(const Golden& golden, const Cell& cell) {
 }
 
 void add_blocks(std::vector<Cell>& cells, const Golden& golden, Scale scale, int side, int plane) {
-  for (int y = 0; y < golden.height; y += side) {
-    for (int x = 0; x < golden.width; x += side) {
-      const Cell cell{scale,
-                      plane,
-                      false,
-                      x,
-                      y,
-                      std::min(side, golden.width - x),
-                      std::min(side, golden.height - y)};
-      if (holds_weight(golden, cell)) cells.push_back(cell);
-    }
-  }
+  for_each_block(golden.width, golden.height, side, [&](int x, int y, int width, int height) {
+    const Cell cell{scale, plane, false, x, y, width, height};
+    if (holds_weight(golden, cell)) cells.push_back(cell);
+  });
 }
 
 MeasuredCell measure(const Comparison& pictures, const Cell& cell) {

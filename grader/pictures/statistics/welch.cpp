@@ -1,6 +1,7 @@
 #include "grader/pictures/statistics/welch.h"
 
 #include "grader/base/normal.h"
+#include "grader/pictures/statistics/blocks.h"
 #include "pt/error.h"
 
 #include <algorithm>
@@ -12,17 +13,6 @@ namespace grader::pictures {
 namespace {
 
 constexpr double kNineOfTen = 1.2816;  // of a normal distribution, nine tenths lie below this
-
-// Calls use(x, y, width, height) for each block of a picture.
-template <class Use>
-void for_each_block(int picture_width, int picture_height, int side, const Use& use) {
-  const int across = side == 0 ? picture_width : side, down = side == 0 ? picture_height : side;
-  for (int y = 0; y < picture_height; y += down) {
-    for (int x = 0; x < picture_width; x += across) {
-      use(x, y, std::min(across, picture_width - x), std::min(down, picture_height - y));
-    }
-  }
-}
 
 template <class Value>
 double sum_of(int width, int x0, int y0, int w, int h, const Value& value) {

@@ -45,7 +45,7 @@ struct BlockDifference {
 struct WelchTest {
   std::vector<BlockDifference> blocks;  // of all sizes
   // The smallest blocks that differ, after the number of blocks of a size is taken into account; the
-  // clearest first. Empty if there is no evidence of any difference.
+  // clearest first. Empty if none differs.
   std::vector<BlockDifference> differing;
 };
 
