@@ -175,7 +175,7 @@ PROMISE(hit_box, takes_flat_boxes) {
 PROMISE(hit_box, never_misses_by_a_rounding_error_bonus) {
   expect_that_it_looks();
   all(grazing(), expect_any, 1000);
-  all(separated_by_rounding(), expect_any, 300);
+  all(separated_by_rounding(), expect_any, 1000);
   // A box that is never missed because it is far too wide is not robust.
   all(passing(), misses);
 }
