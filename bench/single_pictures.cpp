@@ -203,6 +203,44 @@ std::vector<Fault> faults() {
     const pt::Rgb p = i.at(x, y);
     return pt::Rgb{std::min(p.r, .5), std::min(p.g, .5), std::min(p.b, .5)};
   });
+  changed("twelve fireflies", "too bright", [](const Image& i, int x, int y) {
+    return x % 18 == 5 && y % 18 == 9 ? pt::Rgb{300, 300, 300} : i.at(x, y);
+  });
+  const auto other_scene = [&](const std::string& name, const std::string& cause,
+                               const std::function<void(pt::Scene&)>& change) {
+    all.push_back({name, cause, [=](const Scene& scene, int samples, std::uint64_t seed) {
+                     pt::Scene other = scene.loaded.scene;
+                     change(other);
+                     pt::choose_engine(other, pt::Engine::wide, 4);
+                     const pt::View view = scene.view(0, 3);
+                     return render_ours({other, view.camera, view.settings, kWidth, kHeight},
+                                        samples, 1, seed, 1)[0];
+                   }});
+  };
+  other_scene("a sphere missing", "sphere around", [](pt::Scene& scene) {
+    scene.primitives.spheres.pop_back();
+    scene.material_of.pop_back();
+  });
+  other_scene("all spheres black", "every sphere is black", [](pt::Scene& scene) {
+    scene.materials.push_back({"none", {}, {}, ""});
+    for (std::size_t i = scene.primitives.triangles.size(); i < scene.material_of.size(); ++i) {
+      scene.material_of[i] = static_cast<int>(scene.materials.size()) - 1;
+    }
+  });
+  const auto other_camera = [&](const std::string& name,
+                                const std::function<void(pt::Camera&)>& change) {
+    all.push_back({name, "field of view", [=](const Scene& scene, int samples, std::uint64_t seed) {
+                     pt::View view = scene.view(0, 3);
+                     change(view.camera);
+                     return render_ours(view, samples, 1, seed, 1)[0];
+                   }});
+  };
+  other_camera("field of view 10 % smaller", [](pt::Camera& camera) {
+    camera.hfov_deg *= .9;
+    camera.vfov_deg *= .9;
+  });
+  other_camera("fields of view exchanged",
+               [](pt::Camera& camera) { std::swap(camera.hfov_deg, camera.vfov_deg); });
   changed("no gamma", "no gamma", [](const Image& i, int x, int y) { return i.at(x, y); });
   all.back().no_gamma = true;
   changed("exposure 3", "another exposure",

@@ -1,6 +1,6 @@
 #include "grader/pictures/single/verdict.h"
 
-#include "grader/pictures/single/causes.h"
+#include "grader/pictures/single/causes/cause.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/exr.h"

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -52,8 +53,8 @@ SinglePicture as_png(const pt::Image& image, double exposure = 1) {
   return picture;
 }
 
-SingleVerdict judge(const SinglePicture& picture) {
-  return judge_single(picture, {view(0, 3), kSamples, 1});
+SingleVerdict judge(const SinglePicture& picture, int samples = kSamples) {
+  return judge_single(picture, {view(0, 3), samples, 2});
 }
 
 TEST(single, right_pictures_agree) {
@@ -84,6 +85,60 @@ TEST(single, names_what_explains_the_picture) {
   }
   expect(as_png(flipped), "upside down");
   expect({false, pt::Image(kWidth, kHeight)}, "black");
+}
+
+pt::Image rendered(const pt::View& view, std::uint64_t seed) {
+  return render_ours(view, kSamples, 1, seed, 1)[0];
+}
+
+TEST(single, names_an_object_that_is_missing_or_black) {
+  pt::Scene without = scene().scene;
+  without.primitives.spheres.pop_back();
+  without.material_of.pop_back();
+  pt::choose_engine(without, pt::Engine::wide, 4);
+  pt::Scene black = scene().scene;
+  black.materials.push_back({"none", {}, {}, ""});
+  for (std::size_t i = black.primitives.triangles.size(); i < black.material_of.size(); ++i) {
+    black.material_of[i] = static_cast<int>(black.materials.size()) - 1;
+  }
+  const pt::View right = view(0, 3);
+  const auto cause = [&](const pt::Scene& other, std::uint64_t seed) {
+    return judge(as_png(rendered({other, right.camera, right.settings, kWidth, kHeight}, seed)))
+        .cause;
+  };
+  const pt::Vec3 p = scene().scene.primitives.spheres.back().center;
+  EXPECT_THAT(
+      cause(without, 600),
+      HasSubstr(fmt::format("the sphere around {:.3g} {:.3g} {:.3g} is missing", p.x, p.y, p.z)));
+  EXPECT_THAT(cause(black, 601), HasSubstr("every sphere is black"));
+}
+
+TEST(single, names_another_field_of_view) {
+  for (const auto& [x, y] : {std::pair{1.2, 1.2}, {0.8, 0.8}, {0.75, 1.0}}) {
+    pt::View other = view(0, 3);
+    other.camera.hfov_deg *= x;
+    other.camera.vfov_deg *= y;
+    EXPECT_THAT(judge(as_png(rendered(other, 700))).cause, HasSubstr("its field of view is about"))
+        << x << " " << y;
+  }
+}
+
+TEST(single, names_single_pixels_and_repeated_samples) {
+  pt::Image spoiled = rendered(3, 800, 64);
+  for (int k = 0; k < 16; ++k) spoiled.at(16 + 2 * (k % 4), 24 + 2 * (k / 4)) = pt::Rgb{};
+  EXPECT_THAT(judge(as_png(spoiled), 64).cause, HasSubstr("16 single pixels are black"));
+  spoiled = rendered(3, 801);
+  for (int k = 0; k < 4; ++k) spoiled.at(5 + 9 * k, 20 + k) = {400, 400, 400};
+  EXPECT_THAT(judge({false, spoiled}).cause, HasSubstr("4 single pixels are far too bright"));
+  // One tile of noise, 6 x 4 pixels, over the whole picture, and too much light.
+  spoiled = rendered(3, 802, 256);
+  pt::Sampler sampler(803);
+  std::vector<double> noise;
+  for (int k = 0; k < 24; ++k) noise.push_back(1.2 + 0.5 * sampler.next_1d());
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) spoiled.at(x, y) *= noise[x % 6 + 6 * (y % 4)];
+  }
+  EXPECT_THAT(judge({false, spoiled}, 64).cause, HasSubstr("0 to the right and 4 below"));
 }
 
 TEST(single, gives_no_cause_where_none_explains_the_picture) {
