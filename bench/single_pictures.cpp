@@ -24,7 +24,7 @@ using namespace grader::pictures;
 using pt::Image;
 using Outcome = SingleVerdict::Outcome;
 
-constexpr int kWidth = 72, kHeight = 54;
+int width = 72, height = 54;  // of all pictures
 
 struct Scene {
   std::string name;
@@ -33,14 +33,13 @@ struct Scene {
     pt::PathSettings settings;
     settings.from = from;
     settings.to = to;
-    return {loaded.scene, pt::frame_camera(loaded, pt::Framing::file, kWidth, kHeight), settings,
-            kWidth, kHeight};
+    return {loaded.scene, pt::frame_camera(loaded, pt::Framing::file, width, height), settings,
+            width, height};
   }
 };
 
-std::unique_ptr<Scene> load(const std::string& name) {
-  auto scene = std::make_unique<Scene>(
-      Scene{name, pt::load_collada(fmt::format("{}/scenes/{}.dae", FIRSTLIGHT_ROOT, name))});
+std::unique_ptr<Scene> load(const std::string& file) {
+  auto scene = std::make_unique<Scene>(Scene{file, pt::load_collada(file, {.lambertian = true})});
   pt::choose_engine(scene->loaded.scene, pt::Engine::wide, 4);
   return scene;
 }
@@ -183,11 +182,11 @@ std::vector<Fault> faults() {
                    return rendered(scene, 0, 2, samples, seed);
                  }});
   changed("upside down", "upside down",
-          [](const Image& i, int x, int y) { return i.at(x, kHeight - 1 - y); });
+          [](const Image& i, int x, int y) { return i.at(x, height - 1 - y); });
   changed("mirrored", "mirrored",
-          [](const Image& i, int x, int y) { return i.at(kWidth - 1 - x, y); });
+          [](const Image& i, int x, int y) { return i.at(width - 1 - x, y); });
   changed("turned by 180 degrees", "180",
-          [](const Image& i, int x, int y) { return i.at(kWidth - 1 - x, kHeight - 1 - y); });
+          [](const Image& i, int x, int y) { return i.at(width - 1 - x, height - 1 - y); });
   changed("black", "black", [](const Image&, int, int) { return pt::Rgb{}; });
   changed("red and blue exchanged", "", [](const Image& i, int x, int y) {
     const pt::Rgb p = i.at(x, y);
@@ -198,12 +197,12 @@ std::vector<Fault> faults() {
     return i.at(x, y) * (x >= 24 && x < 40 && y >= 30 && y < 46 ? .8 : 1);
   });
   changed("moved by three pixels", "",
-          [](const Image& i, int x, int y) { return i.at(std::min(x + 3, kWidth - 1), y); });
+          [](const Image& i, int x, int y) { return i.at(std::min(x + 3, width - 1), y); });
   changed("clamped at .5", "", [](const Image& i, int x, int y) {
     const pt::Rgb p = i.at(x, y);
     return pt::Rgb{std::min(p.r, .5), std::min(p.g, .5), std::min(p.b, .5)};
   });
-  changed("twelve fireflies", "too bright", [](const Image& i, int x, int y) {
+  changed("a few fireflies", "too bright", [](const Image& i, int x, int y) {
     return x % 18 == 5 && y % 18 == 9 ? pt::Rgb{300, 300, 300} : i.at(x, y);
   });
   const auto other_scene = [&](const std::string& name, const std::string& cause,
@@ -213,8 +212,8 @@ std::vector<Fault> faults() {
                      change(other);
                      pt::choose_engine(other, pt::Engine::wide, 4);
                      const pt::View view = scene.view(0, 3);
-                     return render_ours({other, view.camera, view.settings, kWidth, kHeight},
-                                        samples, 1, seed, 1)[0];
+                     return render_ours({other, view.camera, view.settings, width, height}, samples,
+                                        1, seed, 1)[0];
                    }});
   };
   other_scene("a sphere missing", "sphere around", [](pt::Scene& scene) {
@@ -294,17 +293,22 @@ void power(const std::vector<std::unique_ptr<Scene>>& scenes, int pictures, int 
 int main(int argc, char** argv) {
   CLI::App app("How often the verdict on one picture is wrong", "./run bench pictures");
   int right = 12, wrong = 1, threads = 2;
+  std::vector<std::string> files;
+  for (const char* name :
+       {"box_spheres", "large_light", "coloured_lights", "pale_room", "two_lights", "vase"}) {
+    files.push_back(fmt::format("{}/scenes/{}.dae", FIRSTLIGHT_ROOT, name));
+  }
+  app.add_option("scenes", files, "COLLADA files; the first two are also spoiled");
   app.add_option("--right", right, "right pictures of each kind")->capture_default_str();
   app.add_option("--wrong", wrong, "pictures of each fault and scene")->capture_default_str();
+  app.add_option("--width", width)->capture_default_str();
+  app.add_option("--height", height)->capture_default_str();
   app.add_option("-t,--threads", threads)->capture_default_str();
   return pt::run_command_line(app, argc, argv, [&] {
     std::vector<std::unique_ptr<Scene>> scenes;
-    for (const char* name :
-         {"box_spheres", "large_light", "coloured_lights", "pale_room", "two_lights", "vase"}) {
-      scenes.push_back(load(name));
-    }
+    for (const std::string& file : files) scenes.push_back(load(file));
     if (right > 0) false_alarms(scenes, right, threads);
-    scenes.resize(2);
+    if (scenes.size() > 2) scenes.resize(2);
     if (wrong > 0) power(scenes, wrong, threads);
     return 0;
   });

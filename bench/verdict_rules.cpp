@@ -1,13 +1,16 @@
-// Compares two rules by which a picture of random samples is judged: ours, and that of Mitsuba 3 for the tests of its own
-// renders. To renders of the reference some light is added, everywhere or in a block. docs/verdicts.md has the figures.
+// Compares rules by which a picture of random samples is judged: ours with a golden, that of Mitsuba 3 for the tests of its own
+// renders, and Welch's test of two noisy pictures, by blocks as `./run compare A B` has it, and by pixel. To renders of the reference some
+// light is added, everywhere or in a block. docs/verdicts.md has the figures.
 #include "grader/pictures/recipes/recipes.h"
 #include "grader/pictures/statistics/image_verdict.h"
+#include "grader/pictures/statistics/welch.h"
 #include "measure/charts/gnuplot.h"
 #include "pt/command_line.h"
 #include "pt/file.h"
 #include "pt/render/render_film.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -29,7 +32,8 @@ constexpr int kBlock = 5;  // the block has a fifth of the picture's width and h
 
 // The samples that Mitsuba 3 renders in a test, in all pixels together (src/render/tests/test_renders.py, commit 042f6afb).
 constexpr int kPeerBudget = 2'000'000;
-constexpr const char *kOurs = "ours", *kPeer = "Mitsuba 3's";
+constexpr const char *kOurs = "ours", *kPeer = "Mitsuba 3's", *kBlocks = "two pictures by blocks",
+                     *kPixels = "two pictures by pixel";
 
 // The rule of Mitsuba 3: a z-test of every channel of every pixel against the reference's mean and variance, at the level
 // .01 with Sidak's correction for the number of pixels; 99.75 % of them have to pass. It takes X, Y and Z where we have
@@ -46,6 +50,21 @@ bool peer_passes(const pt::Film& reference, const pt::Image& picture, int sample
     }
   }
   return passed / 3 >= .9975 * pixels;
+}
+
+// Welch's test of the luminance of every pixel, at the level .01 with Sidak's correction: none may differ.
+bool pixels_pass(const NoisyPicture& a, const NoisyPicture& b) {
+  const double level = 1 - std::pow(1 - .01, 1 / static_cast<double>(a.variance.size()));
+  for (std::size_t i = 0; i < a.variance.size(); ++i) {
+    const double variance = a.variance[i] + b.variance[i];
+    if (!(variance > 0)) continue;
+    const double freedom =
+        variance * variance /
+        (a.variance[i] * a.variance[i] / a.freedom + b.variance[i] * b.variance[i] / b.freedom);
+    const double off = luminance(a.mean.pixels[i]) - luminance(b.mean.pixels[i]);
+    if (student_p(off / std::sqrt(variance), freedom) < level) return false;
+  }
+  return true;
 }
 
 struct Size {
@@ -90,6 +109,9 @@ class Comparison {
   }
 
   std::vector<Row> run();
+  // How often each tenth of 0 to 1 holds the p of a block of two equal pictures.
+  std::array<int, 10> p_of_equal_pictures{};
+
   std::string report(const std::vector<Row>& rows) const;
 
  private:
@@ -115,7 +137,14 @@ void Comparison::judge(const pt::View& view, const pt::Film& golden, std::vector
       rounds.back().images.push_back(mean(render(view, round.samples)));
     }
   }
-  const pt::Image peer = mean(render(view, peer_samples_));
+  const pt::Film one = render(view, peer_samples_), two = render(view, peer_samples_);
+  const pt::Image peer = mean(one);
+  const NoisyPicture a = noisy_picture(one, "a render"), b = noisy_picture(two, "a render");
+  for (const BlockDifference& block : welch_test(a, b).blocks) {
+    if (block.side == 8) {
+      ++p_of_equal_pictures[std::min(static_cast<std::size_t>(10 * block.p), std::size_t{9})];
+    }
+  }
   for (Row& row : rows) {
     for (const double bias : kBiases) {
       const auto wrong = [&](const pt::Image& right) {
@@ -124,6 +153,11 @@ void Comparison::judge(const pt::View& view, const pt::Film& golden, std::vector
       bool passes = false;
       if (row.rule == kPeer) {
         passes = peer_passes(golden, wrong(peer), peer_samples_);
+      } else if (row.rule == kBlocks || row.rule == kPixels) {
+        NoisyPicture changed = a;
+        changed.mean = wrong(a.mean);
+        passes = row.rule == kBlocks ? welch_test(changed, b).differing.empty()
+                                     : pixels_pass(changed, b);
       } else {
         const auto biased = [&](int round, int, int) {
           Batches batches = rounds[round - 1];
@@ -150,7 +184,9 @@ std::vector<Row> Comparison::run() {
   std::vector<Row> rows;
   for (const bool everywhere : {true, false}) {
     rows.push_back({kOurs, first.batches * first.samples, everywhere});
-    rows.push_back({kPeer, peer_samples_, everywhere});
+    for (const char* rule : {kPeer, kBlocks, kPixels}) {
+      rows.push_back({rule, peer_samples_, everywhere});
+    }
   }
   for (int i = 1; i <= size_.pictures; ++i) {
     judge(picture, golden, rows);
@@ -186,8 +222,22 @@ set yrange [-3:103]
 set xtics ("½" .5, 1, 2, 3, 5, 7, 10, 15, 20, 30)
 set xlabel "light added to the whole picture, %"
 set ylabel "pictures rejected, %"
-set key outside below vertical maxrows 4 height 1
+set key outside below vertical maxrows 8 height 1
+set terminal svg size 520,560 font "sans-serif,13"
 plot )gp";
+
+const char* const kHistogram = R"gp(set xrange [0:1]
+set yrange [0:*]
+set xlabel "p of a block of 8 × 8 pixels, two equal pictures"
+set ylabel "blocks"
+set style fill solid .5
+plot "p.csv" using 1:2 with boxes lc rgb "%s" notitle, "p.csv" using 1:3 with lines lw 2 dt 2 lc rgb "%s" title "flat"
+)gp";
+
+const std::map<std::string, const char*> kInks{{kOurs, measure::ink::kBlue},
+                                               {kPeer, measure::ink::kVermilion},
+                                               {kBlocks, measure::ink::kGreen},
+                                               {kPixels, measure::ink::kPink}};
 
 // The rows of bias everywhere.
 std::string curve(const Row& row, const Size& size, int index) {
@@ -196,9 +246,8 @@ std::string curve(const Row& row, const Size& size, int index) {
       "\"rules.csv\" index {} using ($7 > 0 ? $7 : NaN):(100 * $8 / $9) with linespoints lw 2 ps "
       ".6 "
       "pt {} dt {} lc rgb \"{}\" title \"{}, {} × {}, {} samples\"",
-      index, large ? 6 : 7, large ? 2 : 1,
-      row.rule == kOurs ? measure::ink::kBlue : measure::ink::kVermilion, row.rule, size.width,
-      size.height, row.samples);
+      index, large ? 6 : 7, large ? 2 : 1, kInks.at(row.rule), row.rule, size.width, size.height,
+      row.samples);
 }
 
 struct Options {
@@ -207,6 +256,22 @@ struct Options {
   int threads = 2;
   fs::path out = FIRSTLIGHT_ROOT "/build/verdict_rules";
 };
+
+void write_histogram(const fs::path& out, const std::array<int, 10>& counts) {
+  double all = 0;
+  for (const int count : counts) all += count;
+  std::string csv = "p,blocks,flat\n";
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    csv +=
+        fmt::format("{:.2f},{},{:.1f}\n", 0.1 * static_cast<double>(i) + 0.05, counts[i], all / 10);
+  }
+  pt::write_file(out / "p.csv", csv);
+  std::string chart = kHistogram;
+  for (const char* ink : {measure::ink::kGreen, measure::ink::kVermilion}) {
+    chart.replace(chart.find("%s"), 2, ink);
+  }
+  measure::draw(out, "p", chart);
+}
 
 int run(const Options& options) {
   const std::vector<Recipe> recipes = load_recipes(FIRSTLIGHT_ROOT "/scenes/recipes.json");
@@ -219,6 +284,7 @@ int run(const Options& options) {
     Comparison comparison(recipe, size, options.threads);
     const std::vector<Row> rows = comparison.run();
     csv += comparison.report(rows);
+    if (index == 0) write_histogram(options.out, comparison.p_of_equal_pictures);
     for (const Row& row : rows) {
       if (row.everywhere) curves += (index > 0 ? ", " : "") + curve(row, size, index);
       ++index;
@@ -226,7 +292,7 @@ int run(const Options& options) {
   }
   pt::write_file(options.out / "rules.csv", csv);
   measure::draw(options.out, "rules", kChart + curves + "\n");
-  fmt::print("\nwrote rules.csv and rules.svg to {}\n", options.out.string());
+  fmt::print("\nwrote rules.csv, rules.svg, p.csv and p.svg to {}\n", options.out.string());
   return 0;
 }
 
@@ -234,9 +300,10 @@ int run(const Options& options) {
 
 int main(int count, char** arguments) {
   CLI::App app(
-      "Compares our verdict on pictures with the rule of Mitsuba 3's tests: how many of the\n"
-      "reference's pictures each rejects, right ones and ones with some light added. Writes\n"
-      "rules.csv, and a chart of it. Takes five minutes of processor time.",
+      "Compares our verdicts on pictures with the rule of Mitsuba 3's tests and with Welch's test\n"
+      "by pixel: how many of the reference's pictures each rejects, right ones and ones with some\n"
+      "light added. Writes rules.csv, p.csv, and a chart of each. Takes six minutes of processor\n"
+      "time.",
       "./run bench verdicts");
   Options options;
   app.add_option("recipe", options.recipe, "of scenes/recipes.json")->capture_default_str();

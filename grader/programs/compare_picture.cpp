@@ -1,5 +1,6 @@
-// compare_picture PICTURE SCENE: the verdict on one picture of a scene. The exit status is 0 if it agrees with the reference, 1 if it is wrong, 2 if
+// compare_picture PICTURE SCENE: the verdict on one picture of a scene, or, with -a, on a map of samples. The exit status is 0 if it agrees with the reference, 1 if it is wrong, 2 if
 // the arguments cannot be used or nothing can be said.
+#include "grader/pictures/single/rates.h"
 #include "grader/pictures/single/verdict.h"
 #include "grader/report/side_by_side.h"
 #include "pt/command_line.h"
@@ -8,6 +9,7 @@
 #include "pt/image/compare.h"
 #include "pt/render/choose_engine.h"
 #include "pt/render/options.h"
+#include "pt/render/progress.h"
 #include "pt/scene/load_collada.h"
 
 #include <algorithm>
@@ -79,17 +81,10 @@ void write_page(const Words& words, const SingleVerdict& verdict, const std::str
   fmt::print("{}\n", words.page);
 }
 
-int run(int argc, const char* const* argv) {
-  const Words words = split(argc, argv);
-  const pt::RenderOptions options =
-      pt::parse_options(static_cast<int>(words.render.size()), words.render.data());
-  if (options.adaptive) {
-    throw pt::Error(
-        "the picture of -a has another number of samples in each pixel; compare one without -a");
-  }
+int compare_picture(const Words& words, const pt::RenderOptions& options) {
   const pictures::SinglePicture picture = pictures::read_single(words.picture);
-  pt::LoadedScene loaded =
-      pt::load_collada(options.scene, {options.lambertian, options.common_emission});
+  pt::LoadedScene loaded = pt::load_collada(
+      options.scene, {options.lambertian, options.common_emission, options.course_light});
   if (options.show != pt::Show::normals) pt::require_supported(loaded, options.scene);
   pt::choose_engine(loaded.scene, pt::Engine::wide, options.max_leaf);
   const int width = words.has_size ? options.width : picture.linear.width;
@@ -109,6 +104,52 @@ int run(int argc, const char* const* argv) {
   return verdict.outcome == SingleVerdict::Outcome::agrees  ? 0
          : verdict.outcome == SingleVerdict::Outcome::wrong ? 1
                                                             : 2;
+}
+
+// The map of samples of an adaptive picture.
+int compare_rates(const Words& words, const pt::RenderOptions& options) {
+  if (!words.picture.ends_with("_rate.png") && !words.picture.ends_with(".csv")) {
+    throw pt::Error(
+        "the picture of -a has another number of samples in each pixel; compare its map, "
+        "PICTURE_rate.png or PICTURE_rate.csv, or a picture without -a");
+  }
+  if (!words.page.empty()) throw pt::Error("there is no page for a map of samples");
+  const pt::SampleMap map = pictures::read_rates(words.picture, *options.adaptive);
+  pictures::Recipe recipe;
+  recipe.name = "rates";
+  recipe.scene = options.scene;
+  recipe.framing = options.framing;
+  recipe.width = map.width;
+  recipe.height = map.height;
+  recipe.settings = path_settings(options);
+  recipe.adaptive = options.adaptive;
+  recipe.seed = 1 + options.seed;
+  recipe.course_light = options.course_light;
+  pt::Progress progress;
+  const auto [outcome, verdict] = pictures::judge_rates(map, recipe, options.threads,
+                                                        [&](double part) { progress.show(part); });
+  progress.clear();
+  using Outcome = pictures::RatesVerdict::Outcome;
+  const std::string numbers =
+      fmt::format("{:.2f} times the reference's samples; their logarithms correlate by {:.2f}",
+                  verdict.ratio, verdict.correlation);
+  if (outcome == Outcome::cannot_say) {
+    fmt::print(
+        "cannot say: it is like the reference's own maps, but with these settings one map says "
+        "little; take a lower tolerance or more samples ({})\n",
+        numbers);
+    return 2;
+  }
+  fmt::print("{}: {}{}{}\n", outcome == Outcome::agrees ? "agrees" : "wrong", verdict.sentence,
+             verdict.sentence.empty() ? "" : "; ", numbers);
+  return outcome == Outcome::agrees ? 0 : 1;
+}
+
+int run(int argc, const char* const* argv) {
+  const Words words = split(argc, argv);
+  const pt::RenderOptions options =
+      pt::parse_options(static_cast<int>(words.render.size()), words.render.data());
+  return options.adaptive ? compare_rates(words, options) : compare_picture(words, options);
 }
 
 }  // namespace

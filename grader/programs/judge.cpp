@@ -40,6 +40,7 @@ struct Options {
   std::vector<int> size{96, 72};
   int depth = 5;
   pt::Framing framing = pt::Framing::file;
+  bool course_light = false;
   std::optional<pt::SceneFormat> format;  // of {scene}; nothing: the COLLADA file
   std::string isolation;
   report::ReportFiles files;
@@ -56,6 +57,7 @@ pictures::Recipe recipe_of(const fs::path& scene, const Options& options) {
                              options.size[1], options.depth);
   recipe.scene = scene;
   recipe.framing = options.framing;
+  recipe.course_light = options.course_light;
   recipe.width = options.size[0];
   recipe.height = options.size[1];
   recipe.settings.to = options.depth;
@@ -253,6 +255,9 @@ int main(int argc, char** argv) {
   app.add_option("--camera", options.framing,
                  "file, fit or course, as for ./run render; default file")
       ->transform(CLI::CheckedTransformer(pt::kFramingWords));
+  app.add_option("--light", options.course_light, pt::kCourseLightHelp)
+      ->transform(CLI::CheckedTransformer(pt::kCourseLightWords))
+      ->type_name("file|course");
   app.add_option("--as", options.format,
                  "what {scene} is: plain, pbrt, mitsuba or blender, as ./run export writes it; "
                  "else COLLADA")

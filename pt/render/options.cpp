@@ -104,6 +104,9 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
   app.add_flag("--common-emission", options.common_emission,
                "Let surfaces emit the emission colour that exporters write (profile_COMMON)");
+  app.add_option("--light", options.course_light, kCourseLightHelp)
+      ->transform(CLI::CheckedTransformer(kCourseLightWords))
+      ->type_name("file|course");
 }
 
 void describe_machine(CLI::App& app, RenderOptions& options) {

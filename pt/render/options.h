@@ -35,6 +35,7 @@ struct RenderOptions {
   Framing framing = Framing::course;
   bool lambertian = false;
   bool common_emission = false;
+  bool course_light = false;
   double exposure = 1;
   std::uint64_t seed = 0;
   int threads = 1;
@@ -45,10 +46,13 @@ RenderOptions parse_options(int argc, const char* const* argv);
 
 PathSettings path_settings(const RenderOptions& options);
 
-// The words after --engine and --camera, in every program that has them.
+// The words after --engine, --camera and --light, in every program that has them.
 inline const std::map<std::string, Engine> kEngineWords{
     {"linear", Engine::linear}, {"task", Engine::task}, {"wide", Engine::wide}};
 inline const std::map<std::string, Framing> kFramingWords{
     {"course", Framing::course}, {"fit", Framing::fit}, {"file", Framing::file}};
+inline constexpr const char* kCourseLightHelp =
+    "course: area lights as in CS184's skeleton, whose density lacks a factor of the distance";
+inline const std::map<std::string, bool> kCourseLightWords{{"file", false}, {"course", true}};
 
 }  // namespace pt

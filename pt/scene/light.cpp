@@ -27,7 +27,9 @@ LightSample area_sample(Vec3 p, Vec3 q, Vec3 n, double area, Rgb radiance) {
 LightSample sample(const RectangleLight& light, Vec3 p, Sampler& sampler) {
   const Vec2 xi = sampler.next_2d();
   const Vec3 q = light.center + (xi.x - 0.5) * light.u + (xi.y - 0.5) * light.v;
-  return area_sample(p, q, light.n, length(cross(light.u, light.v)), light.radiance);
+  LightSample one = area_sample(p, q, light.n, length(cross(light.u, light.v)), light.radiance);
+  if (light.as_in_cs184 && !is_black(one.radiance)) one.pdf /= one.distance;
+  return one;
 }
 
 // Seen from outside, a sphere fills a cone of directions, and all of it emits towards p. So a
@@ -158,6 +160,7 @@ void sample_group(const RectangleLight& light, Vec3 p, int count, Sampler& sampl
   const bool shines = !is_black(light.radiance);
   for (int i = 0; i < count; ++i) {
     samples.is_lit[i] = shines & (from.squared[i] > 0) & (from.cos_light[i] > 0);
+    if (light.as_in_cs184 && samples.is_lit[i]) samples.pdf[i] /= samples.distance[i];
   }
 }
 

@@ -19,6 +19,7 @@ struct RectangleLight {
   Vec3 u, v;  // whole sides
   Vec3 n;     // unit, cross(u, v) or its opposite
   Rgb radiance;
+  bool as_in_cs184 = false;  // pdf lacks a factor of the distance, as in the course's skeleton
 };
 
 // The outside of a sphere.

@@ -167,6 +167,9 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   if (primitives.size() == 0) fail_without_surface(document, notes);
   LightNodes nodes = read_lights(document, instances.lights, bounds(primitives));
   loaded.scene.lights = merge_lights(document, surfaces.emitters, nodes.nodes);
+  for (Light& light : loaded.scene.lights) {
+    if (auto* area = std::get_if<RectangleLight>(&light)) area->as_in_cs184 = options.course_light;
+  }
   document.note_on_the_whole();
   loaded.notes = once_per_kind(notes);
   loaded.unsupported_lights = std::move(nodes.unsupported);

@@ -24,6 +24,7 @@ struct FileCamera {
 struct LoadOptions {
   bool lambertian = false;  // treat materials outside the model as albedo 0.5, and say so in notes
   bool common_emission = false;  // let surfaces emit the emission colour of profile_COMMON
+  bool course_light = false;     // rectangles get the density of the course's skeleton
 };
 
 struct LoadedScene {

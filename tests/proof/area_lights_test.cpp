@@ -5,6 +5,7 @@
 #include "tests/proof/statistics.h"
 
 #include <initializer_list>
+#include <variant>
 
 // Rectangular, mesh and spherical lights, compared with Lambert's polygon formula and the
 // irradiance from a sphere, for both ways of sampling direct light.
@@ -96,6 +97,35 @@ TEST(RectangleLight, matches_lamberts_formula) {
 
 // A point in the plane of the light or behind it gets no light at all, nor does a point that is
 // seen from its side away from the light.
+// A lamp so small that all of it is equally far.
+TEST(RectangleLight, as_in_the_course_is_stronger_by_the_distance) {
+  const Place place = askew();
+  const Rectangle small{"small", {0, 0, 2.5}, {0, 0.02, 0}, {0.02, 0, 0}, true};
+  SceneBuilder builder;
+  add_receiver(builder, place);
+  add_light(builder, place, small, false);
+  Scene scene = builder.finish(Engine::wide);
+  RectangleLight& light = std::get<RectangleLight>(scene.lights[0]);
+  light.as_in_cs184 = true;
+  const SurfacePoint point = receiver(scene, place);
+  const Rgb truth =
+      2.5 * reflected(irradiance(place, parallelogram(small.center, small.u, small.v)));
+  const auto expect_near = [&](Rgb light, const char* how) {
+    EXPECT_NEAR(light.g / truth.g, 1, 1e-4) << how;
+  };
+  Sampler sampler(41);
+  expect_near(direct_lights(scene, point, 2000, sampler), "one by one");
+  Rgb sum;
+  for (int i = 0; i < 250; ++i) {
+    LightSampleGroup group;
+    sample_light_group(light, point.p, kLightGroup, sampler, group);
+    for (int k = 0; k < kLightGroup; ++k) {
+      sum += kAlbedo / kPi * group.radiance * dot(group.wi_of(k), point.n) / group.pdf[k];
+    }
+  }
+  expect_near(sum / (250 * kLightGroup), "in groups");
+}
+
 TEST(RectangleLight, is_dark_on_the_other_sides) {
   const Rectangle turned_away{"", {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, false};
   const Rectangle below{"", {0, 0, -2}, {1, 0, 0}, {0, 1, 0}, false};

@@ -57,7 +57,7 @@ std::string recipe_settings(const Recipe& recipe) {
 
 std::string picture_hash(const Recipe& recipe) {
   const std::string scene = base::sha256(pt::read_file(recipe.scene, kMaxFileBytes));
-  return base::sha256(recipe_settings(recipe) + scene);
+  return base::sha256(recipe_settings(recipe) + scene + (recipe.course_light ? "course" : ""));
 }
 
 void write_provenance(const std::filesystem::path& file, const Provenance& from) {

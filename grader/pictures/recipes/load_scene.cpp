@@ -5,7 +5,7 @@
 namespace grader::pictures {
 
 RecipeScene load_scene(const Recipe& recipe, pt::Engine engine) {
-  pt::LoadedScene loaded = pt::load_collada(recipe.scene);
+  pt::LoadedScene loaded = pt::load_collada(recipe.scene, {.course_light = recipe.course_light});
   if (!recipe.settings.show_normals) pt::require_supported(loaded, recipe.scene);
   const pt::Camera camera = pt::frame_camera(loaded, recipe.framing, recipe.width, recipe.height);
   loaded.scene.tracer = pt::Tracer(engine, loaded.scene.primitives);

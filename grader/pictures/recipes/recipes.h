@@ -36,6 +36,7 @@ struct Recipe {
   // or 6 if noisy. It is more if the contracts allow it: roulette and densities of many bounces add
   // up.
   double most_noise = 0;
+  bool course_light = false;       // area lights as in the course's skeleton
   std::optional<pt::Rgb> uniform;  // the radiance of every pixel, where theory knows it
 };
 

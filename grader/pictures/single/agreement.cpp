@@ -160,9 +160,10 @@ std::array<double, kSingleSides.size()> farthest_of(const OwnPictures& own) {
 
 }  // namespace
 
-OwnPictures own_pictures(std::vector<pt::Image> pictures, const CodecMeans& means) {
+OwnPictures own_pictures(std::vector<pt::Image> pictures, const CodecMeans& means, double taken) {
   assert(pictures.size() >= 8);
   OwnPictures own;
+  own.taken = taken;
   own.width = pictures[0].width;
   own.height = pictures[0].height;
   own.mean = mean_of(pictures);
@@ -222,8 +223,8 @@ pt::Image mean_of(const std::vector<pt::Image>& pictures) {
 
 Agreement compare(const pt::Image& picture, const OwnPictures& own) {
   const auto against = [&](const std::array<double, kSingleSides.size()>& farthest) {
-    return measured(picture, own, luminances(own.mean), static_cast<double>(own.pictures.size()),
-                    farthest);
+    return measured(picture, own, luminances(own.mean),
+                    static_cast<double>(own.pictures.size()) * own.taken, farthest);
   };
   const Agreement first = against({});
   if (first.agrees() || first.worst.evidence > kBeyondDoubt) return first;

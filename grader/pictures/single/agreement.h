@@ -54,9 +54,11 @@ struct OwnPictures {
   // The part of the noise that clipping takes: the mean of all, through the codec, less `mean`. And the part of that that a wide filter takes.
   std::vector<double> clipped, filtered;
   double noise = 1;  // of ours, by the measure of Agreement::noise
+  double taken = 1;  // the samples of one of ours over those of the judged picture, at most 1
 };
 
-OwnPictures own_pictures(std::vector<pt::Image> pictures, const CodecMeans& means);
+OwnPictures own_pictures(std::vector<pt::Image> pictures, const CodecMeans& means,
+                         double taken = 1);
 
 // The mean over 3 x 3 pixels, inside the picture.
 pt::Image softened(const pt::Image& image);

@@ -63,6 +63,11 @@ std::vector<double> steps_of(const Codec& codec, const pt::Image& mean) {
   return steps;
 }
 
+// The part of a picture's samples that each of ours took.
+double taken_of(const SingleQuestion& question) {
+  return std::min(1.0, static_cast<double>(question.most_own_samples) / question.samples);
+}
+
 bool fits_better(const Agreement& a, const Agreement& b) {
   if (a.agrees() != b.agrees()) return a.agrees();
   return a.distance < b.distance;
@@ -116,9 +121,9 @@ SinglePicture read_single(const std::filesystem::path& file) {
 }
 
 std::vector<pt::Image> render_ours(const pt::View& view, int samples, int count,
-                                   std::uint64_t first_seed, int threads) {
+                                   std::uint64_t first_seed, int threads, int most) {
   std::vector<pt::Image> pictures;
-  const int taken = std::min(samples, kMostOwnSamples);
+  const int taken = std::min(samples, most);
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
     pictures.push_back(mean(pt::render_film(view, {taken, {}, seed, threads}).film));
@@ -150,7 +155,8 @@ SingleVerdict judge_single(const SinglePicture& picture, const SingleQuestion& q
     for (const pt::Image& one : ours) coded.push_back(codecs[k].through(one));
     const OwnPictures own =
         own_pictures(std::move(coded),
-                     {codecs[k].through(mean), codecs[k].through(soft), steps_of(codecs[k], mean)});
+                     {codecs[k].through(mean), codecs[k].through(soft), steps_of(codecs[k], mean)},
+                     taken_of(question));
     const pt::Image theirs = picture.decoded(codecs[k]);
     const Agreement agreement = compare(theirs, own);
     if (k > 0 && !fits_better(agreement, verdict.agreement)) continue;
@@ -165,7 +171,8 @@ SingleVerdict judge_single(const SinglePicture& picture, const SingleQuestion& q
 
 SingleVerdict judge_single(const SinglePicture& picture, const SingleQuestion& question) {
   const std::vector<pt::Image> ours =
-      render_ours(question.view, question.samples, kOwnPictures, question.seed, question.threads);
+      render_ours(question.view, question.samples, kOwnPictures, question.seed, question.threads,
+                  question.most_own_samples);
   SingleVerdict verdict = judge_single(picture, question, ours);
   if (verdict.outcome == SingleVerdict::Outcome::wrong && verdict.ours.width > 0) {
     verdict.cause = cause_of(picture, question, ours, verdict);

@@ -25,6 +25,10 @@ struct SinglePicture {
 // Throws pt::Error for a JPEG, which changes pixels, and for what read_image cannot read.
 SinglePicture read_single(const std::filesystem::path& file);
 
+// The number of our pictures, and the most samples of one.
+inline constexpr int kOwnPictures = 16;
+inline constexpr int kMostOwnSamples = 64;
+
 // The reference, with the settings of the picture.
 struct SingleQuestion {
   pt::View view;
@@ -33,6 +37,7 @@ struct SingleQuestion {
   std::vector<double> exposures{kUsualExposures.begin(), kUsualExposures.end()};  // that are right
   std::vector<Curve> curves{Curve::gamma, Curve::srgb};
   std::uint64_t seed = 1;  // of our pictures
+  int most_own_samples = kMostOwnSamples;
 };
 
 struct SingleVerdict {
@@ -46,13 +51,11 @@ struct SingleVerdict {
   pt::Image theirs;
 };
 
-// The number of our pictures, and the most samples of one: the deviations of a picture of more are made smaller, as the root says.
-inline constexpr int kOwnPictures = 16;
-inline constexpr int kMostOwnSamples = 64;
-
-// Our pictures, each with the noise of `samples` samples.
+// Our pictures, each with the noise of `samples` samples. At most `most` are taken: deviations from the mean are made smaller, as the root
+// says.
 std::vector<pt::Image> render_ours(const pt::View& view, int samples, int count,
-                                   std::uint64_t first_seed, int threads);
+                                   std::uint64_t first_seed, int threads,
+                                   int most = kMostOwnSamples);
 
 SingleVerdict judge_single(const SinglePicture& picture, const SingleQuestion& question);
 

@@ -1,13 +1,16 @@
-// The verdict on one picture of a scene, with pictures that the reference renders and that are spoiled here.
+// The verdicts on one picture and on one map of samples of a scene, with pictures that the reference renders and that are spoiled here.
+#include "grader/pictures/single/rates.h"
 #include "grader/pictures/single/verdict.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/image_io.h"
 #include "pt/image/tone_map.h"
 #include "pt/render/choose_engine.h"
+#include "pt/render/render_film.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -162,6 +165,38 @@ TEST(single, tells_another_size_and_what_is_no_radiance) {
   pt::Image bad = rendered(3, 500);
   bad.at(3, 5).g = -1;
   EXPECT_THAT(judge({false, bad}).sentence, HasSubstr("the pixel x 3, y 5"));
+}
+
+// A map of ours in the colours of the course comes back, and is judged: right, and with half the samples.
+TEST(single, judges_a_map_of_samples) {
+  const pt::AdaptiveSettings settings{512, 16, 0.1};
+  Recipe recipe;
+  recipe.name = "rates";
+  recipe.scene = FIRSTLIGHT_ROOT "/scenes/box_spheres.dae";
+  recipe.width = kWidth;
+  recipe.height = kHeight;
+  recipe.settings.to = 1;
+  recipe.adaptive = settings;
+  recipe.seed = 7;
+  const pt::SampleMap ours =
+      sample_map(pt::render_film(view(0, 1), {1, settings, 900, 2}).film, settings.max_samples);
+  pt::Picture picture(kWidth, kHeight);
+  for (std::size_t i = 0; i < ours.counts.size(); ++i) {
+    picture.pixels[i] = course_color(ours.counts[i], settings.max_samples);
+  }
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
+                                     ("firstlight_" + std::to_string(getpid()) + "_rate.png");
+  pt::write_png(file, picture);
+  pt::SampleMap read = read_rates(file, settings);
+  EXPECT_EQ(read.counts, ours.counts);
+  using Judged = RatesVerdict::Outcome;
+  const RatesVerdict right = judge_rates(read, recipe, 2, [](double) {});
+  EXPECT_EQ(right.outcome, Judged::agrees) << right.map.sentence;
+  for (int& count : read.counts) count = std::max(16, count / 32 * 16);
+  EXPECT_EQ(judge_rates(read, recipe, 2, [](double) {}).outcome, Judged::wrong);
+  pt::write_png(file, pt::sample_picture(ours));
+  EXPECT_THROW(read_rates(file, settings), pt::Error);
+  std::filesystem::remove(file);
 }
 
 TEST(single, refuses_a_jpeg) {

@@ -11,7 +11,7 @@ constexpr double kClearly = 20;
 }  // namespace
 
 void Suspects::try_ours(const std::string& words, const Pictures& ours) {
-  add(words, judge_single(picture_, question_, ours));
+  add(words, judge_single(picture_, quick_, ours));
 }
 
 void Suspects::try_picture(const std::string& words, const SinglePicture& changed_back) {
@@ -23,8 +23,8 @@ void Suspects::try_question(const std::string& words, const SingleQuestion& othe
 }
 
 Pictures Suspects::render(const pt::View& view) const {
-  return render_ours(view, question_.samples, kOwnPictures, question_.seed + 1000,
-                     question_.threads);
+  return render_ours(view, quick_.samples, kOwnPictures, quick_.seed + 1000, quick_.threads,
+                     kSamplesOfSuspects);
 }
 
 std::string Suspects::named() {

@@ -13,11 +13,16 @@ namespace grader::pictures {
 
 using Pictures = std::vector<pt::Image>;
 
+// A dozen suspicions are rendered, so each takes fewer samples than the verdict.
+inline constexpr int kSamplesOfSuspects = 16;
+
 class Suspects {
  public:
   // `ours` are our pictures before any codec. All three have to outlive this.
   Suspects(const SinglePicture& picture, const SingleQuestion& question, const Pictures& ours)
-      : picture_(picture), question_(question), ours_(ours) {}
+      : picture_(picture), question_(question), ours_(ours), quick_(question) {
+    quick_.most_own_samples = kSamplesOfSuspects;
+  }
 
   const SinglePicture& picture() const { return picture_; }
   const SingleQuestion& question() const { return question_; }
@@ -28,7 +33,7 @@ class Suspects {
   void try_picture(const std::string& words, const SinglePicture& changed_back);
   void try_question(const std::string& words, const SingleQuestion& other);
 
-  // Our pictures of another view.
+  // Our pictures of another view, of fewer samples.
   Pictures render(const pt::View& view) const;
 
   // The nearest one, with the one that is nearly as near; empty if more are, or none is there.
@@ -40,6 +45,7 @@ class Suspects {
   const SinglePicture& picture_;
   const SingleQuestion& question_;
   const Pictures& ours_;
+  SingleQuestion quick_;                               // for pictures of few samples
   std::vector<std::pair<double, std::string>> found_;  // distance, words
 };
 
