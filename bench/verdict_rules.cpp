@@ -109,7 +109,7 @@ class Comparison {
   }
 
   std::vector<Row> run();
-  // How often each tenth of 0 to 1 holds the p of a block of two equal pictures.
+  // The blocks of two equal pictures whose p lies in each tenth of 0 to 1.
   std::array<int, 10> p_of_equal_pictures{};
 
   std::string report(const std::vector<Row>& rows) const;

@@ -16,7 +16,7 @@ firstlight_test(sample_map_verdict_test quick SOURCES grader/pictures/sample_map
   LIBRARIES synthetic_pictures GTest::gmock)
 firstlight_test(test_compare quick SOURCES grader/pictures/compare_test.cpp LIBRARIES grader_pictures NEEDS compare
   DEFINES COMPARE_PROGRAM="$<TARGET_FILE:compare>")
-firstlight_test(test_single rest PATHS SOURCES grader/pictures/single_test.cpp LIBRARIES grader_single pt_render pt_loader GTest::gmock RADIANCE recorded)
+firstlight_test(test_single rest PATHS SOURCES grader/pictures/single_test.cpp LIBRARIES grader_single pt_render GTest::gmock RADIANCE recorded)
 firstlight_test(test_bless rest PATHS SOURCES grader/pictures/bless_test.cpp LIBRARIES grader_goldens GTest::gmock RADIANCE recorded
   NEEDS bless DEFINES BLESS_PROGRAM="$<TARGET_FILE:bless>")
 firstlight_test(test_goldens rest PATHS SOURCES grader/pictures/goldens_test.cpp LIBRARIES grader_goldens GTest::gmock

@@ -21,6 +21,9 @@ constexpr double kBeyondOurs = 1.3;
 // Beyond so much evidence our own pictures are not asked.
 constexpr double kBeyondDoubt = 20;
 
+// Where most pixels are black or one code, and few are bright, neighbours do not show the noise. Then a picture may have as much as any.
+constexpr double kLeastNoise = 0.1;
+
 constexpr std::size_t kForNoise = 5;  // of our pictures, whose noise is looked at
 
 constexpr double kMedianOfChiSquare = 0.4549;  // one degree of freedom
@@ -103,7 +106,8 @@ Agreement measured(const pt::Image& picture, const OwnPictures& own,
   std::vector<double> off = luminances(picture);
   for (std::size_t i = 0; i < off.size(); ++i) off[i] -= mean[i];
   Agreement result;
-  result.noise = noise_of(off, own.variance, own.width) / own.noise;
+  const bool shows_noise = own.noise > kLeastNoise;
+  result.noise = shows_noise ? noise_of(off, own.variance, own.width) / own.noise : kMostNoise;
   const double noise = std::max(result.noise, 1.0);
   double total = 0;
   for (const double each : mean) total += each;
@@ -116,7 +120,8 @@ Agreement measured(const pt::Image& picture, const OwnPictures& own,
       const Sums sums = sums_of(block, own, off, mean);
       const double pixels = static_cast<double>(width) * height;
       // A picture with less noise than ours loses less by clipping, one with more loses more.
-      const double shift = (1 - std::min(result.noise, kMostNoise)) * sums.clipped;
+      const double shift =
+          shows_noise ? (1 - std::min(result.noise, kMostNoise)) * sums.clipped : 0;
       // Another filter moves light over the border of a block, another rounding moves it by a part of a code.
       const double margin = kMargins[k] * sums.mean + dark * pixels + std::abs(sums.blur) +
                             0.25 * sums.step + 0.5 * (std::abs(sums.clipped) + std::abs(shift));
@@ -196,7 +201,7 @@ OwnPictures own_pictures(std::vector<pt::Image> pictures, const CodecMeans& mean
   }
   std::vector<double> noises;
   for (std::size_t k = 0; k < kForNoise; ++k) noises.push_back(against_the_others(own, k).noise);
-  if (const double noise = pt::median_of(noises); noise > 0) own.noise = noise;
+  own.noise = pt::median_of(noises);
   return own;
 }
 
