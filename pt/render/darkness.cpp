@@ -84,6 +84,19 @@ bool is_met_by_a_pixel(const View& view, const Tracer& tracer) {
   return false;
 }
 
+bool stands_in_a_lamp(const View& view) {
+  const Scene& scene = view.scene;
+  for (int i = 0; i < scene.primitives.size(); ++i) {
+    if (scene.primitives.is_triangle(i)) continue;
+    const Sphere& sphere = scene.primitives.sphere(i);
+    if (!is_black(scene.materials[scene.material_of[i]].emission) &&
+        length(view.camera.position - sphere.center) < sphere.radius) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // The tasks of this render that are stubs. Without the tree, its tasks take no part.
 std::vector<std::string> unwritten_here(Engine engine) {
   std::vector<std::string> tasks = todo_list();
@@ -146,6 +159,10 @@ std::string note_on_darkness(const View& view, double brightest, double exposure
   if (!reach.is_coloured) {
     return "the picture is black: the surfaces in view reflect nothing, because their materials "
            "state a black diffuse colour; give them another";
+  }
+  if (!reach.is_lit && stands_in_a_lamp(view)) {
+    return "the picture is black: the camera stands inside an emitting sphere, which shines "
+           "outwards; for a sky use an ambient light";
   }
   if (reach.is_lit) {
     return "the picture is black, though light reaches the surfaces in view: no sample found it, "

@@ -39,7 +39,9 @@ LightSample sample(const SphereLight& light, Vec3 p, Sampler& sampler) {
   const Vec3 to_center = light.center - p;
   const double center_distance = length(to_center);
   const double sine = light.radius / center_distance;
-  if (!(sine < 1)) return {{0, 0, 1}, 0, {}, 1, false};  // inside, it is dark
+  // Inside it is dark. A point of the sphere itself is inside, whatever the rounding errors of p and of the centre.
+  const double doubt = 1e-9 + 1e-14 * (max_abs(p) + max_abs(light.center)) / light.radius;
+  if (!(sine < 1 - doubt)) return {{0, 0, 1}, 0, {}, 1, false};
   // 1 - cos = sin^2 / (1 + cos) keeps its digits however small the sphere looks.
   const double one_minus_cos = sine * sine / (1 + std::sqrt(1 - sine * sine));
   const Vec3 local = uniform_cone(xi, one_minus_cos);

@@ -1,4 +1,5 @@
 #include "pt/scene/light.h"
+#include "pt/tasks/hit_sphere.h"
 #include "tests/proof/closed_forms.h"
 #include "tests/proof/directions.h"
 
@@ -110,6 +111,29 @@ TEST(SampleLight, is_dark_from_behind) {
       "solid angle of the bright half");
   const LightSample inside = sample_light(SphereLight{{0.1, 0, 0}, 1, gray(1)}, {}, sampler);
   EXPECT_EQ(inside.radiance, Rgb{});
+}
+
+// A point of a sphere is computed from a ray, with rounding errors on both sides of the sphere. It gets nothing from its own lamp; a point
+// a little farther out does.
+TEST(SampleLight, is_dark_on_the_sphere_itself) {
+  Sampler sampler(58);
+  for (const double away : {0.0, 1.0, 1e3, 1e6}) {
+    for (const double radius : {1e-3, 1.0, 1e3}) {
+      for (int i = 0; i < 300; ++i) {
+        const Vec3 center = away * Vec3{sampler.next_1d(), sampler.next_1d(), sampler.next_1d()};
+        const Vec3 d = normalize(Vec3{sampler.next_1d() - 0.5, sampler.next_1d() - 0.5, 1});
+        const Ray ray{center + 0.3 * radius * Vec3{1, -1, 0.5}, d, 0, kInfinity};
+        const auto hit = hit_sphere({center, radius}, ray);
+        ASSERT_TRUE(hit.has_value());
+        const SphereLight light{center, radius, gray(1)};
+        EXPECT_EQ(sample_light(light, ray.at(hit->t), sampler).radiance, Rgb{})
+            << away << " " << radius;
+        if (away > 1e5 * radius) continue;
+        const Vec3 outside = center + radius * (1 + 1e-6) * d;
+        EXPECT_EQ(sample_light(light, outside, sampler).radiance, gray(1)) << away << " " << radius;
+      }
+    }
+  }
 }
 
 // p + distance wi is a point of the light, within the rounding errors of the way.

@@ -1,3 +1,4 @@
+#include "pt/file.h"
 #include "pt/image/compare.h"
 #include "pt/image/film.h"
 #include "pt/image/image_io.h"
@@ -254,6 +255,12 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
          "the picture is black: the camera looks past all surfaces");
   begins(note("1 0 0 -90", "1 0 0 -90", "-m 0"),
          "the picture is black: no light reaches the surfaces in view");
+  // A lamp of radius .5 around (0, .9, 0), and the camera in it.
+  const std::string lamp = pt::read_file(FIRSTLIGHT_SCENES "/glowing_sphere.dae", 1 << 20);
+  write("inside.dae", replaced(lamp, "0 .5 2.2", "0 .8 .1"));
+  EXPECT_EQ(run("inside.dae -s 4 -m 1 -r 8 6 --camera file"), 0) << said();
+  EXPECT_NE(said().find("the camera stands inside an emitting sphere"), std::string::npos)
+      << said();
   // A file's own camera is clipped, and the others are not.
   begins(note("<zfar>100", "<zfar>1.5", ""), "");
 }
