@@ -10,14 +10,18 @@ namespace grader::wire {
 template <auto Function, class... Arguments>
 auto ask(Arguments&... arguments) {
   using Signature = SignatureOf<Function>;
-  Writer question;
-  put(question, AskHead{static_cast<std::uint32_t>(kFunction<Function>), Signature::code()});
-  Signature::put(question, store(), arguments...);
+  const auto question = [&] {
+    Writer out;
+    put(out, AskHead{static_cast<std::uint32_t>(kFunction<Function>), Signature::code()});
+    Signature::put(out, store(), arguments...);
+    return out;
+  };
   if constexpr (kFunction<Function> == wire::Function::radiance) {
     pt::Sampler& sampler = std::get<sizeof...(Arguments) - 1>(std::tie(arguments...));
-    if (const auto ahead = next_ahead(question.bytes(), sampler)) return *ahead;
+    if (wants_to_be_told()) tell(question().bytes());
+    if (const auto ahead = next_ahead(sampler)) return *ahead;
   }
-  send(Kind::ask, question.bytes());
+  send(Kind::ask, question().bytes());
   const std::string answer = receive(Kind::answer);
   Reader in(answer);
   if (get<std::uint64_t>(in) != Signature::code()) throw BadMessage("the judge means other types");

@@ -65,10 +65,17 @@ void begin_with(std::optional<RadiancesAhead> ahead) {
   taken = 0;
 }
 
-std::optional<pt::Rgb> next_ahead(std::string_view question, pt::Sampler& sampler) {
-  if (!known) return std::nullopt;
+void begin_again() { taken = 0; }
+
+bool wants_to_be_told() { return known && known->are_told; }
+
+void tell(std::string_view question) {
   put(asked, std::string(question));
   if (asked.bytes().size() > kManyAsked) send_asked();
+}
+
+std::optional<pt::Rgb> next_ahead(pt::Sampler& sampler) {
+  if (!known) return std::nullopt;
   for (int i = 0; i < known->numbers; ++i) sampler.next_1d();
   return known->values[std::min(taken++, known->values.size() - 1)];
 }

@@ -23,8 +23,14 @@ void send(Kind kind, std::string_view payload);
 // The radiances that the judge has given in advance for the call that begins.
 void begin_with(std::optional<RadiancesAhead> ahead);
 
-// Returns the next of them, if there are any, and draws from the sampler as radiance() does. The judge gets
-// the question, the inner call, before any other message.
-std::optional<pt::Rgb> next_ahead(std::string_view question, pt::Sampler& sampler);
+// The same radiances from the first one on.
+void begin_again();
+
+// Returns the next of them, if there are any, and draws from the sampler as radiance() does.
+std::optional<pt::Rgb> next_ahead(pt::Sampler& sampler);
+
+// Whether the judge wants to hear of the calls that get them. It gets such a question before any other message.
+bool wants_to_be_told();
+void tell(std::string_view question);
 
 }  // namespace grader::wire

@@ -51,6 +51,7 @@ struct CallBatch {
 struct RadiancesAhead {
   std::vector<pt::Rgb> values;  // one at least
   int numbers = 0;              // that each call draws from its sampler
+  bool are_told = true;         // the judge hears of each call
 };
 
 struct CallHead {
@@ -58,8 +59,7 @@ struct CallHead {
   std::uint64_t code = 0;      // of its signature
   CallBatch batch;
   std::optional<RadiancesAhead> ahead{};
-  int others =
-      0;  // so many more of the same call; if an answer differs, it is the answer. Not of a function that draws numbers
+  int others = 0;  // so many more of the same call; if an answer differs, it is the answer
   bool records =
       false;  // of each call of the batch, reply what it asked too (grader/explain/record.h)
   std::uint64_t definitions = 0;  // the number of definitions that follow
@@ -91,7 +91,7 @@ struct ReplyHead {
 };
 
 FIRSTLIGHT_FIELDS(CallBatch, first, count, seed);
-FIRSTLIGHT_FIELDS(RadiancesAhead, values, numbers);
+FIRSTLIGHT_FIELDS(RadiancesAhead, values, numbers, are_told);
 FIRSTLIGHT_FIELDS(CallHead, function, code, batch, ahead, others, records, definitions);
 FIRSTLIGHT_FIELDS(Definition, handle, kind, content);
 FIRSTLIGHT_FIELDS(AskHead, function, code);

@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <ctime>
+#include <optional>
 #include <utility>
 
 namespace grader::wire {
@@ -70,6 +71,29 @@ void run_recorded(Held& held, const CallBatch& batch, Writer& results) {
   }
 }
 
+// Writes the answer of a call, and makes so many more of the same call, up to one that has another answer.
+template <auto Pointer, class Held>
+void run_alike(Held& held, int others, Writer& results) {
+  using Signature = SignatureOf<Pointer>;
+  std::optional<pt::Sampler> start;
+  if constexpr (Signature::kDraws) start = Signature::sampler(held);
+  const auto answer = [&] {
+    Writer out;
+    put(out, apply<Signature>(Pointer, held));
+    if constexpr (Signature::kDraws) put(out, std::exchange(Signature::sampler(held), *start));
+    return out;
+  };
+  results = answer();
+  for (int i = 0; i < others; ++i) {
+    begin_again();
+    Writer again = answer();
+    tell_that_it_goes_on();
+    if (again.bytes() == results.bytes()) continue;
+    results = std::move(again);
+    return;
+  }
+}
+
 // Writes the results of a call or of a batch of calls, after the head.
 template <auto Pointer>
 void run(Reader& in, const CallHead& head, Writer& results) {
@@ -77,22 +101,7 @@ void run(Reader& in, const CallHead& head, Writer& results) {
   if (head.code != Signature::code()) throw BadMessage("the judge means other types");
   auto held = Signature::get(in, store());
   in.expect_end();
-  if (head.batch.count == 0) {
-    put(results, apply<Signature>(Pointer, held));
-    if constexpr (!Signature::kDraws) {
-      for (int i = 0; i < head.others; ++i) {
-        Writer again;
-        put(again, apply<Signature>(Pointer, held));
-        if (again.bytes() != results.bytes()) {
-          results = std::move(again);
-          return;
-        }
-        tell_that_it_goes_on();
-      }
-    }
-    if constexpr (Signature::kDraws) put(results, Signature::sampler(held));
-    return;
-  }
+  if (head.batch.count == 0) return run_alike<Pointer>(held, head.others, results);
   if constexpr (Signature::kDraws) {
     const auto [first, count, seed] = head.batch;
     if (head.records) return run_recorded<Pointer>(held, head.batch, results);

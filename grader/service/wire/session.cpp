@@ -116,10 +116,21 @@ std::optional<RadiancesAhead> radiances_ahead(const SessionSettings& settings) {
   return ahead;
 }
 
-// The scripted radiances of a call are gone at the end of the run, and any tree is right.
-bool can_be_asked_again(const SessionSettings& settings, Function function) {
-  return settings.answers && !settings.integrated && !answers(settings.task, Function::radiance) &&
-         function != Function::build_bvh;
+// Returns whether an answer of this size is a tree of one box, which has one form, or of none.
+bool is_of_one_box(std::size_t size) {
+  Writer tree;
+  put(tree, pt::Bvh{{{}}, {0}});
+  return size <= tree.bytes().size();
+}
+
+// Of inner calls and rays: with so few, 65,537 calls take some hundredths of a second.
+constexpr std::int64_t kShort = 4;
+
+// A call can be made again if all right solutions have one answer. The judge's own script of radiances is gone at the end of the run.
+bool can_be_asked_again(const SessionSettings& settings, const CallHead& head, std::size_t size) {
+  if (!settings.answers || settings.integrated || head.batch.count != 0) return false;
+  if (answers(settings.task, Function::radiance)) return head.ahead.has_value();
+  return static_cast<Function>(head.function) != Function::build_bvh || is_of_one_box(size);
 }
 
 }  // namespace
@@ -140,13 +151,15 @@ std::string_view Session::call(Function function, std::uint64_t code, const Call
     const Writer call = message(head, arguments.bytes());
     reply_ = try_again(worker_, [&] { return converse(call); });
     Reader reply(reply_);
-    take_head(reply, code);
+    const std::int64_t work = questions_ + take_head(reply, code);
     expect_attempted();
     const std::string_view result = reply.raw(reply.left());
-    if (batch.count == 0 && can_be_asked_again(settings_, function)) {
-      Call& first = first_calls_[{asks_, function, result.size()}];
-      if (first.result.empty()) {
-        first = {head, std::string(arguments.bytes()), definitions, std::string(result)};
+    if (can_be_asked_again(settings_, head, result.size())) {
+      Call& first = first_calls_[{questions_ > 0, function, result.size()}];
+      const bool is_shorter = first.work > kShort && work > 0 && work < first.work;
+      if (first.result.empty() || is_shorter) {
+        first = {head, std::string(arguments.bytes()), definitions, std::string(result), work};
+        if (first.head.ahead) first.head.ahead->are_told = false;
       }
     }
     return result;
@@ -196,7 +209,7 @@ void Session::make_first_calls_again() {
   try {
     for (const auto& [which, first] : first_calls_) {
       // So many calls that ask the judge would take a second. Those that do not ask come first.
-      const int others = std::get<bool>(which) ? 0 : kOthers;
+      const int others = std::get<bool>(which) && !first.head.ahead ? 0 : kOthers;
       if (record_.kept != 0 || answer_again(first, others) == first.result) continue;
       // A task that answers otherwise in each process keeps nothing.
       worker_.reset();
@@ -230,11 +243,11 @@ std::string Session::answer_again(const Call& call, int others) {
 constexpr std::chrono::microseconds kOfQuestion{40};
 
 std::string Session::converse(const Writer& call) {
-  asks_ = false;
+  questions_ = 0;
   if (!worker_) worker_ = start_worker(settings_.program, settings_.tier, kMaxPrinted);
   worker_->allow(settings_.call_limit);
   worker_->send(Kind::call, ++sequence_, call.bytes());
-  for (int questions = 0;;) {
+  for (;;) {
     Message message = worker_->receive(sequence_);
     if (message.kind == Kind::reply) return std::move(message.payload);
     if (message.kind == Kind::threw) {
@@ -246,9 +259,8 @@ std::string Session::converse(const Writer& call) {
       continue;
     }
     if (!settings_.answers) throw BadMessage("it called the judge, which answers nothing here");
-    asks_ = true;
     const auto answer_one = [&](std::string_view question) {
-      if (++questions > settings_.max_questions) {
+      if (++questions_ > settings_.max_questions) {
         throw WorkerFailed{
             results::Cause::timeout,
             fmt::format("no answer after {} calls of other tasks", settings_.max_questions)};
@@ -275,7 +287,7 @@ void Session::go_on() {
   expect_total_time_left();
 }
 
-void Session::take_head(Reader& reply, std::uint64_t code) {
+std::int64_t Session::take_head(Reader& reply, std::uint64_t code) {
   const auto head = get<ReplyHead>(reply);
   if (head.code != code) throw BadMessage("the reply is of another type");
   for (const std::int64_t count : {head.closest, head.occluded}) {
@@ -286,10 +298,12 @@ void Session::take_head(Reader& reply, std::uint64_t code) {
   }
   if (record_.kept == 0) record_.kept = head.kept;
   pt::count_rays({head.closest, head.occluded});
-  if (!settings_.integrated) return;
+  const std::int64_t rays = head.closest + head.occluded;
+  if (!settings_.integrated) return rays;
   for (const pt::Box& box : head.tests.boxes) check::count(box);
   for (const pt::Triangle& triangle : head.tests.triangles) check::count(triangle);
   for (const pt::Sphere& sphere : head.tests.spheres) check::count(sphere);
+  return rays;
 }
 
 void Session::reject(const std::string& why) {

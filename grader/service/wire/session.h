@@ -99,9 +99,8 @@ class Session {
 
   SessionRecord record() const;
 
-  // Makes the first calls of each function again: once, or many times if it draws no numbers and does not
-  // ask the judge. Another answer is kept state (kOtherAnswer). build_bvh and the tasks that call radiance()
-  // are not asked.
+  // Makes the first calls of each function again: once, or many times if the worker can make them without the judge. Another answer is
+  // kept state (kOtherAnswer). Of build_bvh only trees of one box are made again: any other may be different.
   void make_first_calls_again();
 
   // The answers so far no longer count for the limit.
@@ -124,7 +123,7 @@ class Session {
   Writer message(const CallHead& head, std::string_view arguments);
   std::string converse(const Writer& call);
   void go_on();
-  void take_head(Reader& reply, std::uint64_t code);
+  std::int64_t take_head(Reader& reply, std::uint64_t code);  // returns the number of rays
   [[noreturn]] void fail(const WorkerFailed& failure);
 
   SessionSettings settings_;
@@ -139,11 +138,12 @@ class Session {
     std::string arguments;
     std::vector<Shared> definitions;
     std::string result;
+    std::int64_t work = 0;  // inner calls and rays
   };
   std::string answer_again(const Call& call, int others);
-  bool asks_ = false;  // the last call has asked the judge
-  // Of those that ask and those that do not, the first call of each function that has an answer of a size:
-  // one that is nothing, and one that is something.
+  int questions_ = 0;  // of the last call to the judge
+  // Of those that ask and those that do not, the first call of each function that has an answer of a size: one that is nothing, and
+  // one that is something. Where that is long work, it is the first that is short.
   std::map<std::tuple<bool, Function, std::size_t>, Call> first_calls_;
 
   std::map<const pt::Scene*, Shared> kept_;

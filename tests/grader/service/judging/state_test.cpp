@@ -103,6 +103,13 @@ TEST(state, of_a_thread_is_found_if_it_changes_an_answer) {
        "  thread_local unsigned short calls = 0;\n  if (++calls == 0) calls = 60000;\n"
        "  if (calls >= 60000) return {};\n",
        "fail"},
+      // A tree of one box, and radiances that are given in advance: the worker makes these calls again without the judge.
+      {"build_bvh", "build_bvh",
+       "  thread_local unsigned short calls = 0;\n  if (++calls == 0) return {};\n", "fail"},
+      {"estimate_pixel", "estimate_pixel",
+       "  thread_local unsigned short calls = 0;\n  if (++calls == 0) return {};\n", "fail"},
+      {"adaptive_pixel", "adaptive_pixel",
+       "  thread_local int calls = 0;\n  if (++calls > 65536) return {};\n", "fail"},
   };
   const Outcome outcome = graded_with(insertions, "thread");
   for (const auto& [slug, function, lines, state] : insertions) {
