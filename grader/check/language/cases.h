@@ -3,7 +3,9 @@
 #include "grader/check/generators/special.h"
 #include "grader/check/language/property.h"
 
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace grader::check {
 
@@ -37,6 +39,29 @@ void all_after_another(const Cases<Case>& cases, Case (*other)(Case), const Judg
         judge(now);
       },
       count);
+}
+
+// Changes of a case. Each of them leaves something as it was that a task could remember the case by.
+template <class Case>
+using OtherCases = std::vector<std::function<void(Case&)>>;
+
+// Judges cases, some of them after a call with the same case after each of the changes.
+template <class Case, class Judge>
+void all_after_each(const Cases<Case>& cases, const OtherCases<Case>& changes, const Judge& judge,
+                    int count = 2) {
+  for (const auto& change : changes) {
+    if (testing::Test::HasFailure()) return;
+    for_all(
+        [&] {
+          const auto [before, now] = *in_turn(rc::Gen<Case>(cases), [&](Case c) {
+            change(c);
+            return c;
+          });
+          call(before);
+          judge(now);
+        },
+        count);
+  }
 }
 
 }  // namespace grader::check

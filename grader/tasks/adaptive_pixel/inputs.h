@@ -4,6 +4,8 @@
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/precision.h"
 #include "grader/check/generators/views.h"
+#include "grader/check/language/cases.h"
+#include "grader/check/language/show.h"
 #include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/adaptive_pixel.h"
 
@@ -12,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -292,6 +295,44 @@ inline rc::Gen<Case> anything() {
 
 inline rc::Gen<Case> anything_long() {
   return rc::gen::oneOf(constant(many_samples), noise(many_samples), two_values(many_samples));
+}
+
+// All arguments of a call, in a scene with so many lights.
+struct Call {
+  Case pixel;
+  pt::PathSettings settings{};
+  int lights = 0;
+  std::uint64_t seed = 0;
+};
+
+inline void showValue(const Call& c, std::ostream& out) {
+  out << show(c.pixel.camera) << '\n';
+  showValue(c.pixel, out);
+  out << "\nlights: " << c.lights << ", seed: " << c.seed << '\n' << show(c.settings);
+}
+
+inline Answer call(const Call& c) {
+  return ask(c.pixel, c.settings, pt::Sampler(c.seed), scene_with(c.lights));
+}
+
+inline Cases<Call> calls() {
+  return {rc::gen::exec([] {
+    return Call{*rc::gen::oneOf(noise(), noise(), two_values(), jump(), late_jump()),
+                *usual_settings(), *whole(0, 9), *sampler_seed()};
+  })};
+}
+
+// Of the numbers that decide when a pixel is done.
+inline OtherCases<Call> other_ends() {
+  return {[](Call& c) { c.pixel.settings.max_samples *= 2; },
+          [](Call& c) { c.pixel.settings.max_samples = c.pixel.settings.batch; },
+          [](Call& c) { c.pixel.settings.batch = std::max(2, c.pixel.settings.batch / 2); },
+          [](Call& c) {
+            AdaptiveSettings& s = c.pixel.settings;
+            s.max_samples += std::exchange(s.batch, 2) - 2;
+          },
+          [](Call& c) { c.pixel.settings.tolerance = 1; },
+          [](Call& c) { c.pixel.settings.tolerance *= 0.5; }};
 }
 
 }  // namespace grader::check::adaptive_pixel_inputs

@@ -56,6 +56,8 @@ PROMISE(adaptive_pixel, stops_where_the_interval_is_narrow) {
       }
     }
   }
+  all_after_each(
+      calls(), other_ends(), [](const Call& c) { expect_right_count(c.pixel, call(c)); }, 5);
   expect_explained(wild_task());
 }
 
@@ -101,8 +103,7 @@ PROMISE(adaptive_pixel, never_exceeds_the_maximum) {
 }
 
 PROMISE(adaptive_pixel, returns_the_mean_of_all_samples) {
-  const auto property = [](const Case& c) {
-    const Answer answer = ask(c);
+  const auto expect_mean = [](const Case& c, const Answer& answer) {
     const int traced = static_cast<int>(answer.calls.size());
     expect(traced > 0, "a call of radiance()", "none");
     const double summing = is_single_precision_allowed() ? 0x1p-24 : 0;  // error per sample
@@ -111,10 +112,13 @@ PROMISE(adaptive_pixel, returns_the_mean_of_all_samples) {
     expect_near(fmt::format("the mean of the {} samples", traced), answer.estimate.mean, mean,
                 (kColorPrecision + summing * traced) * max_channel(mean));
   };
+  const auto property = [&](const Case& c) { expect_mean(c, ask(c)); };
   for_all([&] { property(*anything()); }, kCases);
   for_all([&] { property(*anything_long()); }, kLongCases);
   // Ten thousand samples show the rounding errors of a sum in float.
   for_all([&] { property(*constant(ten_thousand)); }, 1);
+  all_after_each(calls(), other_calls(other_ends()),
+                 [&](const Call& c) { expect_mean(c.pixel, call(c)); });
   expect_explained(wild_task());
 }
 
@@ -187,6 +191,12 @@ PROMISE(adaptive_pixel, passes_the_settings_on) {
                           : "one that went back, or another one");
       },
       20);
+  all_after_each(calls(), other_settings<Call>(), [](const Call& c) {
+    const Answer answer = call(c);
+    expect(!answer.calls.empty(), "a call of radiance()", "none");
+    const pt::Scene scene = scene_with(c.lights);
+    for (const RadianceCall& each : answer.calls) expect_seen(each, c.settings, scene);
+  });
   expect_explained(wild_task());
 }
 
@@ -287,6 +297,8 @@ PROMISE(adaptive_pixel, covers_the_whole_pixel) {
         }
       },
       20);
+  all_after_each(calls(), other_pixels<Call>(),
+                 [](const Call& c) { points_inside(c.pixel, call(c)); });
 }
 
 // Estimates a pixel twice, with another pixel in between. Where the right count is known, sums that

@@ -3,6 +3,7 @@
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/generators.h"
 #include "grader/check/generators/views.h"
+#include "grader/check/language/cases.h"
 #include "grader/check/language/show.h"
 #include "grader/check/mocks/scripted_radiance.h"
 #include "pt/tasks/estimate_pixel.h"
@@ -150,6 +151,40 @@ inline std::vector<pt::Vec2> points_of(const Pixel& p, const Estimate& e) {
   std::vector<pt::Vec2> points;
   for (const RadianceCall& call : e.calls) points.push_back(in_pixel(p, call.ray));
   return points;
+}
+
+// All arguments of a call, in a scene with so many lights.
+struct Call {
+  Pixel pixel;
+  int samples = 1;
+  pt::PathSettings settings{};
+  int lights = 0;
+  Seen seen{};
+  std::uint64_t seed = 0;
+};
+
+inline void showValue(const Call& c, std::ostream& out) {
+  showValue(c.pixel, out);
+  out << "\nsamples: " << c.samples << ", lights: " << c.lights << ", seed: " << c.seed << '\n'
+      << show(c.settings) << '\n';
+  showValue(c.seen, out);
+}
+
+inline Estimate call(const Call& c) {
+  return estimate(c.pixel, c.samples, pt::Sampler(c.seed), script_of(c.seen, c.samples), c.settings,
+                  scene_with(c.lights));
+}
+
+inline Cases<Call> calls() {
+  return {rc::gen::exec([] {
+    return Call{*pixel(),     *whole(1, 20),    *usual_settings(),
+                *whole(0, 9), *any_radiances(), *sampler_seed()};
+  })};
+}
+
+inline OtherCases<Call> other_counts() {
+  return {[](Call& c) { ++c.samples; }, [](Call& c) { c.samples *= 2; },
+          [](Call& c) { c.samples = c.samples / 2 + 1; }};
 }
 
 }  // namespace grader::check::estimate_pixel_inputs

@@ -32,11 +32,7 @@ void expect_a_call(const Estimate& e) { expect(!e.calls.empty(), "a call of radi
 // Judges the average of the values that radiance() returned. The promise
 // takes_the_samples_asked_for judges the number of calls, so the sum may be divided by this number
 // or by `samples`.
-void expect_average(int samples) {
-  const Pixel p = *pixel();
-  const RadianceScript script = script_of(*any_radiances(), samples);
-  const pt::Sampler sampler(draw("seed", sampler_seed()));
-  const Estimate e = estimate(p, samples, sampler, script);
+void expect_average(int samples, const RadianceScript& script, const Estimate& e) {
   expect_a_call(e);
   const int calls = static_cast<int>(e.calls.size());
   pt::Rgb sum;
@@ -51,19 +47,32 @@ void expect_average(int samples) {
   }
 }
 
+void expect_average(int samples) {
+  const Pixel p = *pixel();
+  const RadianceScript script = script_of(*any_radiances(), samples);
+  const pt::Sampler sampler(draw("seed", sampler_seed()));
+  expect_average(samples, script, estimate(p, samples, sampler, script));
+}
+
 PROMISE(estimate_pixel, averages_the_radiance) {
   for_all([] { expect_average(some_samples()); });
   for (const int samples : kMany) {
     for_all([=] { expect_average(samples); }, 1);
   }
+  all_after_each(calls(), other_calls(other_counts()), [](const Call& c) {
+    expect_average(c.samples, script_of(c.seen, c.samples), call(c));
+  });
   expect_explained(wild_task());
+}
+
+void expect_calls(int samples, const Estimate& e) {
+  expect_equal(fmt::format("calls of radiance() for {} samples", samples),
+               static_cast<long long>(e.calls.size()), samples);
 }
 
 void expect_calls(int samples) {
   const Pixel p = *pixel();
-  const Estimate e = estimate(p, samples, pt::Sampler(draw("seed", sampler_seed())));
-  expect_equal(fmt::format("calls of radiance() for {} samples", samples),
-               static_cast<long long>(e.calls.size()), samples);
+  expect_calls(samples, estimate(p, samples, pt::Sampler(draw("seed", sampler_seed()))));
 }
 
 PROMISE(estimate_pixel, takes_the_samples_asked_for) {
@@ -72,6 +81,8 @@ PROMISE(estimate_pixel, takes_the_samples_asked_for) {
     for_all([=] { expect_calls(samples); }, 1);
   }
   for_all([] { expect_calls(kMost); }, 1);
+  all_after_each(
+      calls(), other_counts(), [](const Call& c) { expect_calls(c.samples, call(c)); }, 5);
   expect_explained(wild_task());
 }
 
@@ -88,8 +99,7 @@ PROMISE(estimate_pixel, sends_one_sample_through_the_centre) {
   });
 }
 
-void expect_inside(const Pixel& p, int samples, const pt::Sampler& sampler) {
-  const Estimate e = estimate(p, samples, sampler);
+void expect_inside(const Pixel& p, const Estimate& e) {
   expect_a_call(e);
   const pt::Vec2 off = slack(p);
   for (const RadianceCall& call : e.calls) {
@@ -102,6 +112,10 @@ void expect_inside(const Pixel& p, int samples, const pt::Sampler& sampler) {
            fmt::format("one through the point ({:.5g}, {:.5g}) of the picture, counted in pixels",
                        p.x + at.x, p.y + at.y));
   }
+}
+
+void expect_inside(const Pixel& p, int samples, const pt::Sampler& sampler) {
+  expect_inside(p, estimate(p, samples, sampler));
 }
 
 PROMISE(estimate_pixel, stays_inside_the_pixel) {
@@ -130,6 +144,8 @@ PROMISE(estimate_pixel, stays_inside_the_pixel) {
     const Pixel p = *pixel();
     expect_inside(p, some_samples(), sampler_of_a_rare_number(6));
   });
+  all_after_each(calls(), other_pixels<Call>(),
+                 [](const Call& c) { expect_inside(c.pixel, call(c)); });
 }
 
 // The points of some calls. The promise stays_inside_the_pixel judges which pixel the rays go
@@ -226,6 +242,12 @@ PROMISE(estimate_pixel, passes_the_settings_on) {
     const Estimate e = estimate(p, n, sampler, {}, settings, scene);
     expect_a_call(e);
     for (const RadianceCall& call : e.calls) expect_seen(call, settings, scene);
+  });
+  all_after_each(calls(), other_settings<Call>(), [](const Call& c) {
+    const Estimate e = call(c);
+    expect_a_call(e);
+    const pt::Scene scene = scene_with(c.lights);
+    for (const RadianceCall& each : e.calls) expect_seen(each, c.settings, scene);
   });
 }
 
