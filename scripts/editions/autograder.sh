@@ -11,6 +11,7 @@ fail() {
   exit 2
 }
 expect_new_folder "$folder"
+expect_headers
 mkdir -p "$(dirname "$folder")"
 half=$(mktemp -d "$folder.XXXXXX")
 trap 'rm -rf "$half"' EXIT

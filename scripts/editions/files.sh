@@ -18,8 +18,8 @@ only_for_us='^scripts/editions/|^grader/programs/(bless[.]|know[.]|judge[.]|comp
 # shellcheck disable=SC2034
 not_for_learners="$only_for_us"'|^grader/service/(classes|platforms)/|^grader/service/intake/(archive_reader|entry_path|gradescope|handed_in|names_that_differ|owner|pack|pieces|unpack)[.]|^grader/tasks/[a-z_]+/methods/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|instructors|four_bugs|coil|ladder|performance|README|commands)|^README'
 
-# expect_new_folder FOLDER, expect_stubs: fail if an edition would be made over something, or with what somebody wrote. Everything
-# is built before an edition is made, so ./run asks first. `fail` is the caller's.
+# expect_new_folder FOLDER, expect_stubs, expect_headers: fail if an edition would be made over something, with what somebody wrote, or
+# without a header. Everything is built before an edition is made, so ./run asks first. `fail` is the caller's.
 expect_new_folder() {
   [ ! -e "$1" ] || [ -z "$(ls -A "$1")" ] || fail "$1 exists and is not empty: name a new folder"
 }
@@ -30,6 +30,12 @@ expect_stubs() {
     grep -qF "todo(\"$slug\")" student/*/"$slug.cpp" ||
       fail "student/*/$slug.cpp is not a stub: learners would get what is in it (git stash -- student puts it away)"
   done
+}
+
+expect_headers() {
+  local unknown
+  unknown=$(comm -13 <(edition_files '^$' | sort) <(find pt -name '*.h' | sort) | paste -sd' ')
+  [ -z "$unknown" ] || fail "git does not know $unknown, which the build uses: add it or remove it"
 }
 
 # copy_known BUILD FOLDER: copies what the build has made of the known mistakes: their fingerprints, and a list of them.

@@ -37,6 +37,11 @@ mkdir -p "$folder/written/tests"
 cp -r --parents run scripts pt/tasks student "$folder/written"
 cp reference/2_bvh/hit_box.cpp "$folder/written/student/2_bvh"
 expect 2 'student/*/hit_box.cpp is not a stub' env PATH="$folder/no_ninja:$PATH" "$folder/written/run" handout "$folder/course"
+git -C "$folder/written" init --quiet
+git -C "$folder/written" add run scripts pt student
+touch "$folder/written/pt/new.h"
+expect 2 'git does not know pt/new.h' env PATH="$folder/no_ninja:$PATH" "$folder/written/run" autograder "$folder/course"
+(fail() { complain "$@"; exit 1; }; . scripts/editions/files.sh; expect_headers) || failures=$((failures + 1))
 
 # Every command of the menu has a --help, and builds nothing for it.
 for command in $(./run | sed -nE 's/^  [.]\/run ([a-z-]+)( [|] ([a-z-]+))?.*/\1 \3/p' | sort -u); do
