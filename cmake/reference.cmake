@@ -6,8 +6,7 @@
 # The facts with which an object must agree to be linked here, one per line. A newer compiler of the same make
 # can link objects of an older version, so the version is compared separately.
 function(firstlight_stamp result)
-  file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/pt/*.h)
-  firstlight_hash_of(${PROJECT_SOURCE_DIR} hash ${headers})
+  firstlight_header_hash(${PROJECT_SOURCE_DIR} hash)
   get_target_property(options firstlight_options INTERFACE_COMPILE_OPTIONS)
   set(${result} "compiler ${CMAKE_CXX_COMPILER_ID}\n\
 machine ${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}\n\

@@ -40,7 +40,6 @@ esac
 objects=$half/reference-objects
 mkdir "$objects"
 cmake "$build" >/dev/null
-cp "$build/reference.stamp" "$objects/stamp"
 # Replaces the name of this folder: the same number of characters, which mean the current folder.
 nowhere=.$(printf '%*s' "${#PWD}" '' | tr ' ' /)
 # rename_locals OBJECT: the linker needs names for thread-local variables, but any names will do.
@@ -88,7 +87,8 @@ done <"$build/compiled/files"
 step "a list of its files"
 cp "$build/compiled/links.cmake" "$compiled"
 cp "$build/reference.stamp" "$compiled/stamp"
-cmake "-DROOT=$half" "-DOUTPUT=$compiled/sources" -P cmake/source_hash.cmake
+cmake "-DROOT=$half" "-DOUTPUT=$compiled/sources" "-DSTAMP=$compiled/stamp" -P cmake/source_hash.cmake
+cp "$compiled/stamp" "$objects/stamp"
 
 # The folder gets a list of its files, for ./run update, and a repository with a first commit.
 cp scripts/editions/handout_gitignore "$half/.gitignore"
