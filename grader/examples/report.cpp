@@ -59,6 +59,16 @@ std::string row(const Judged& example, int rights) {
   }
 }
 
+// What the contract leaves open: its precision, and promises that are a bonus.
+std::string open_text(const Texts& texts) {
+  std::string text = "\nToo strict: the contract leaves it open.\n" + indented(texts.precision);
+  for (const results::Promise& promise : texts.promises) {
+    if (promise.bonus)
+      text += indented(fmt::format("A right solution need not keep \"{}\".", promise.title));
+  }
+  return text;
+}
+
 // The share of the mistakes that break the promise (of all mistakes if it has no name) and are caught.
 Share share_of(const Verdicts& verdicts, const results::Promise& promise, bool ordinary) {
   Share share{promise};
@@ -131,9 +141,7 @@ std::string to_text(const Verdicts& verdicts, const Texts& texts) {
       rows_text(verdicts);
   const bool strict =
       std::ranges::count(verdicts.examples, Verdict::too_strict, &Judged::verdict) > 0;
-  if (strict && !texts.precision.empty())
-    text += "\nToo strict: the contract leaves it open.\n" + indented(texts.precision);
-  return text + catch_text(verdicts, texts);
+  return text + (strict ? open_text(texts) : "") + catch_text(verdicts, texts);
 }
 
 std::string own_text(const Verdicts& verdicts, const Run& own, const std::string& slug) {

@@ -67,8 +67,9 @@ std::set<std::string> contract_of(const TaskConfig& task) {
   return functions;
 }
 
-// The functions that pt/examples/ defines, besides inline ones.
+// The functions that pt/examples/ defines, besides inline ones, and the one that makes a light.
 constexpr const char* kForExamples[] = {
+    "make_mesh_light",
     "examples::add",
     "examples::expect",
     "examples::near",

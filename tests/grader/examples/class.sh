@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Examples that are handed in by a class earn points where grader/points.json gives them, and none elsewhere. One of the class has good
-# examples and no task yet, one has weak ones, one has some that do not compile, one has none.
+# examples and no task yet, one has weak, wrong and strict ones, one has some that do not compile, one has none.
 # class.sh BUILD: whose programs grade.
 set -euo pipefail
 # shellcheck source=tests/fixtures/shell.sh
@@ -28,7 +28,7 @@ for name in ada bob cem dag; do
 done
 cp student/1_rays/hit_sphere.cpp "$folder/class/ada/1_rays"
 cp $files/good/hit_sphere.examples.cpp "$folder/class/ada/1_rays"
-cp $files/weak/hit_sphere.examples.cpp "$folder/class/bob/1_rays"
+cp $files/mixed/hit_sphere.examples.cpp "$folder/class/bob/1_rays"
 echo 'this is not C++' >"$folder/class/cem/1_rays/hit_sphere.examples.cpp"
 
 expect 0 'ada' "$1/grader/grade_class" "$folder/class" --out "$folder/out" --seed 7 --not-isolated \

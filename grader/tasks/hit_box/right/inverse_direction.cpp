@@ -18,7 +18,7 @@ std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
   const Vec3 near = min(a, b), far = max(a, b);
   const double enter = std::max({near.x, near.y, near.z, ray.t_min});
   const double leave = std::min({far.x, far.y, far.z, ray.t_max});
-  if (enter > leave) return std::nullopt;
+  if (!(enter <= leave)) return std::nullopt;
   return Interval{enter, leave};
 }
 
