@@ -96,7 +96,8 @@ function(firstlight_add_ordinary slug)
   if(EXISTS ${folder})
     add_custom_command(OUTPUT ${made} VERBATIM
       COMMAND grade_examples ${slug} --submission ${folder} --caught ${made}
-      DEPENDS grade_examples ${folder}/${slug}.examples.cpp $<TARGET_OBJECTS:${slug}.mistakes>
+      DEPENDS grade_examples ${folder}/${slug}.examples.cpp ${PROJECT_SOURCE_DIR}/pt/examples/inputs.h
+        $<TARGET_OBJECTS:${slug}.mistakes>
       COMMENT "Asking the known mistakes of ${slug} ordinary inputs")
     add_custom_target(ordinary.${slug} DEPENDS ${made})
     add_dependencies(examples.${slug} ordinary.${slug})

@@ -76,4 +76,26 @@ inline SurfacePoint point_of(const Scene& scene, const Place& place) {
   return scenes::seen(scene, place.p + frame.to_world({0.02, 0.01, 0.04}), place.p);
 }
 
+// The variance of the numbers that so many calls return.
+template <class Call>
+double variance_of(int calls, const Call& call) {
+  Sampler sampler(1);
+  double sum = 0, squares = 0;
+  for (int i = 0; i < calls; ++i) {
+    const double value = call(sampler);
+    sum += value;
+    squares += value * value;
+  }
+  return squares / calls - sum * sum / calls / calls;
+}
+
+// True if the same random numbers give the same answer, whatever was called in between.
+template <class Call>
+bool repeats(const Call& call) {
+  Sampler sampler(1), again(1), other(2);
+  const auto first = call(sampler);
+  call(other);
+  return call(again) == first;
+}
+
 }  // namespace pt::inputs

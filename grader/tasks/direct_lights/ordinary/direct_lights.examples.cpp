@@ -132,33 +132,21 @@ EXAMPLE("less than 1 in 100 ordinary inputs differs") {
   EXPECT(differ < kInputs / 100);
 }
 
-// The variance of estimates of the lamp above the floor.
-static double variance_of(int samples) {
-  Sampler sampler(1);
+EXAMPLE("the noise falls with the number of samples") {
   const Scene scene = scenes::floor_under_lamp();
   const SurfacePoint point = scenes::middle_of_floor(scene);
-  constexpr int kCalls = 1000;
-  double sum = 0, squares = 0;
-  for (int i = 0; i < kCalls; ++i) {
-    const double light = direct_lights(scene, point, samples, sampler).r;
-    sum += light;
-    squares += light * light;
-  }
-  return squares / kCalls - sum * sum / kCalls / kCalls;
-}
-
-EXAMPLE("the noise falls with the number of samples") {
-  const double one = variance_of(1);
+  const auto variance = [&](int samples) {
+    return variance_of(
+        1000, [&](Sampler& sampler) { return direct_lights(scene, point, samples, sampler).r; });
+  };
+  const double one = variance(1);
   EXPECT(one > 0);
-  EXPECT(variance_of(4) < 1.3 / 4 * one);
-  EXPECT(variance_of(64) < 1.3 / 64 * one);
+  EXPECT(variance(4) < 1.3 / 4 * one);
+  EXPECT(variance(64) < 1.3 / 64 * one);
 }
 
 EXAMPLE("the same numbers give the same estimate") {
-  Sampler sampler(1), again(1), other(2);
   const Scene scene = scenes::floor_under_lamp();
   const SurfacePoint point = scenes::middle_of_floor(scene);
-  const Rgb first = direct_lights(scene, point, 4, sampler);
-  direct_lights(scene, point, 4, other);
-  NEAR(direct_lights(scene, point, 4, again), first);
+  EXPECT(repeats([&](Sampler& sampler) { return direct_lights(scene, point, 4, sampler); }));
 }

@@ -140,36 +140,25 @@ EXAMPLE("beside a wall in the sun") {
   EXPECT(agrees(parts, 1));
 }
 
-// The variance of direct light with so many light samples.
-static double variance_of(int light_samples) {
-  Sampler sampler(1);
+EXAMPLE("light samples lower the noise") {
   const Scene scene = scenes::furnace(gray(0.5));
   const SurfacePoint point = scenes::seen(scene, {0.1, 0, 0}, {0.3, -1, 0.2});
   PathSettings settings;
   settings.direct = PathSettings::Direct::hemisphere;
-  settings.light_samples = light_samples;
-  constexpr int kCalls = 1500;
-  double sum = 0, squares = 0;
-  for (int i = 0; i < kCalls; ++i) {
-    const double light = trace_path(scene, point, settings, sampler).r;
-    sum += light;
-    squares += light * light;
-  }
-  return squares / kCalls - sum * sum / kCalls / kCalls;
-}
-
-EXAMPLE("light samples lower the noise") {
-  EXPECT(variance_of(1) > 0);
-  EXPECT(variance_of(16) < 1.3 / 16 * variance_of(1));
+  const auto variance = [&](int light_samples) {
+    settings.light_samples = light_samples;
+    return variance_of(
+        1500, [&](Sampler& sampler) { return trace_path(scene, point, settings, sampler).r; });
+  };
+  const double one = variance(1);
+  EXPECT(one > 0);
+  EXPECT(variance(16) < 1.3 / 16 * one);
 }
 
 EXAMPLE("the same numbers give the same estimate") {
-  Sampler sampler(1), again(1), other(2);
   const Scene scene = scenes::furnace(gray(0.5));
   const SurfacePoint point = scenes::seen(scene, {0.1, 0, 0}, {0.3, -1, 0.2});
   PathSettings settings;
   settings.to = 4;
-  const Rgb first = trace_path(scene, point, settings, sampler);
-  trace_path(scene, point, settings, other);
-  NEAR(trace_path(scene, point, settings, again), first);
+  EXPECT(repeats([&](Sampler& sampler) { return trace_path(scene, point, settings, sampler); }));
 }
