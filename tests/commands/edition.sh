@@ -46,6 +46,7 @@ touch "$foreign/compiled/sources"
 for pch in ON OFF; do
   expect 0 'Build files have been written' cmake -S "$foreign" --preset check -B "$foreign/build/$pch" "-DFIRSTLIGHT_PCH=$pch"
   expect 0 '/hit_sphere.cpp.o' ninja -C "$foreign/build/$pch" -n grade graded watch render measure stability writeup view
+  expect 0 'worker_main.cpp.o' ninja -C "$foreign/build/$pch" -n grade_examples
   grep -qF 'compiled for another compiler and another machine' "$foreign/build/$pch/not_compiled" || complain "it does not say why everything is built"
 done
 

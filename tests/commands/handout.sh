@@ -60,6 +60,14 @@ bash tests/commands/workflows.sh "$build" "$folder" || [ $? -eq 77 ] || complain
 [ "$(cat "$folder"/{.devcontainer/Dockerfile,.github/workflows/grade.yml,.gitlab-ci.yml} | grep -cE "^(FROM| *container:|image:) $(. /etc/os-release && echo "$ID:$VERSION_ID")\$")" = 3 ] ||
   complain "a workflow runs on another system"
 
+# The first command may be the hunt: the compiled solutions judge, and the one that is found is a sentence, not its source.
+cp tests/fixtures/examples/good/hit_sphere.examples.cpp "$folder/student/1_rays"
+said=$(cd "$folder" && ./run hunt hit_sphere --seed 1 2>&1) || complain "./run hunt says: $said"
+grep -q '^Found: it fails ' <<<"$said" && ! grep -q 'Which line' <<<"$said" || complain "./run hunt says: $said"
+said=$(cd "$folder" && ./run examples hit_sphere 2>&1) || complain "./run examples says: $said"
+grep -q '^The 15 valid examples catch ' <<<"$said" || complain "./run examples says: $said"
+git -C "$folder" checkout --quiet student
+
 # The compiled parts are used: only the learner's files have a rule.
 grades 1 'not attempted' hit_triangle
 if grep -E '^build [^:]*[.]o:' "$folder/build/check/build.ninja" | grep -vE 'student/|recorded/'; then
@@ -105,6 +113,8 @@ sed -i 's/^machine .*/machine Linux other/' "$folder"/{reference-objects,compile
 [[ $("$folder/run" grade --no-pictures hit_triangle 2>&1) == *'those in compiled/ were compiled for another machine'* ]] ||
   complain "it does not say why everything is built"
 grades 0 'as the reference was compiled for another machine' hit_triangle
+said=$("$folder/run" examples hit_sphere 2>&1) && complain "examples are judged without solutions: $said"
+[[ $said == *'there are none to judge examples by' ]] || complain "./run examples says: $said"
 grades 1 'blocked' trace_path
 cp -r reference/* "$folder/student/"
 count=$(printf '%s\n' grader/tasks/*/task.json | wc -l)
