@@ -89,14 +89,16 @@ constexpr const char* kForExamples[] = {
     "scenes::view_of",
 };
 
-// Examples of a task may call it, what pt/examples/ declares, and all that any task may call of the renderer; build_bvh makes
-// the trees that other tasks get.
+// Examples of a task may call it and all other tasks, what pt/examples/ declares, and all that any task may call of the renderer.
 Task rules_of_examples(Task task) {
   std::set<std::string> names(task.framework.begin(), task.framework.end());
-  for (const Task& each : tasks()) names.insert(each.framework.begin(), each.framework.end());
-  for (const std::string& function : task.functions) names.insert("pt::" + function);
-  // The last three stand for the headers example.h, inputs.h and scenes.h.
-  names.insert({"pt::build_bvh", "pt::example", "pt::inputs", "pt::scenes"});
+  for (const Task& each : tasks()) {
+    names.insert(each.framework.begin(), each.framework.end());
+    for (const std::string& function : each.functions) names.insert("pt::" + function);
+    names.insert("pt::" + each.slug);  // stands for its header
+  }
+  // These stand for the headers example.h, inputs.h and scenes.h.
+  names.insert({"pt::example", "pt::inputs", "pt::scenes"});
   for (const char* name : kForExamples) names.insert(std::string("pt::") + name);
   task.framework.assign(names.begin(), names.end());
   return task;
