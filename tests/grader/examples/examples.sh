@@ -36,6 +36,8 @@ for line in $'#include <unistd.h>\nEXAMPLE("forks") { EXPECT(fork() >= 0); }' 'n
 done
 echo '#include "pt/examples/example.h"' >"$folder/hit_sphere.examples.cpp"
 expect 1 'it has no EXAMPLE' "$judge" hit_sphere --submission "$folder"
+echo 'EXAMPLE("never") { EXPECT(false); }' >>"$folder/hit_sphere.examples.cpp"
+expect 1 'No example is valid yet, so none is tried' "$judge" hit_sphere --submission "$folder"
 { cat "$folder/weak/hit_sphere.examples.cpp"; echo 'static const int early = [] { std::abort(); return 1; }();'; } >"$folder/hit_sphere.examples.cpp"
 expect 1 'it ends before its first example' "$judge" hit_sphere --submission "$folder"
 expect 2 'is missing: write your examples there' "$judge" hit_box --submission "$folder"
