@@ -11,7 +11,7 @@ function(firstlight_hash_of root result)
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()
 
-# One hash of the headers in pt/, on which all that is compiled depends.
+# Sets one hash of the headers in pt/, on which all that is compiled depends.
 function(firstlight_header_hash root result)
   file(GLOB_RECURSE headers RELATIVE ${root} ${root}/pt/*.h)
   firstlight_hash_of(${root} hash ${headers})
@@ -29,7 +29,7 @@ function(firstlight_sources root result)
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
-# One hash of them.
+# Sets one hash of them.
 function(firstlight_source_hash root result)
   firstlight_sources(${root} files)
   firstlight_hash_of(${root} hash ${files})

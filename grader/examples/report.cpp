@@ -59,7 +59,7 @@ std::string row(const Judged& example, int rights) {
   }
 }
 
-// What the contract leaves open: its precision, and promises that are a bonus.
+// The contract leaves open how precise an answer is, and whether promises that are a bonus are kept.
 std::string open_text(const Texts& texts) {
   std::string text = "\nToo strict: the contract leaves it open.\n" + indented(texts.precision);
   for (const results::Promise& promise : texts.promises) {
