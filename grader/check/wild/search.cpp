@@ -109,8 +109,13 @@ void showValue(const Shown& input, std::ostream& out) { out << input.text; }
 }  // namespace
 
 void Plainness::add(const Explanation& call) {
+  constexpr double kError = 1e-2;  // another estimator's values differ by more
   ++calls;
-  explained += call.fault == Fault::none || call.fault == Fault::habit;
+  const Rgb off = call.off;
+  const bool is_close = call.fault == Fault::value && is_finite(off) &&
+                        std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) <=
+                            kError * max_channel(call.value);
+  explained += call.fault == Fault::none || call.fault == Fault::habit || is_close;
   with_habit += call.fault == Fault::none;
 }
 

@@ -13,7 +13,8 @@
 
 // Calls in wild scenes as an input of promises. A file is plain if (nearly) all calls of the kind that its promises make are
 // explained. In a plain file a wild call that is not explained is a second rule: it fails the promise that it breaks.
-// A file that is not plain (another density, its own survival) is judged by means alone.
+// A file that is not plain (another density, its own survival) is judged by means alone. A file whose values are all off by less than a
+// hundredth is plain: it has an error in the formula, and no formula of its own.
 
 namespace grader::check {
 

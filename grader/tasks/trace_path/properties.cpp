@@ -361,6 +361,18 @@ PROMISE(trace_path, draws_from_the_sampler_alone) {
   };
   for_all([=] { expect_independent(round_room(gray(0.5, 0.8))); }, 3);
   for_all([=] { expect_independent(glowing_room(gray(0.5, 0.8))); }, 3);
+  // Direct light alone moves the sampler on too.
+  for (const Direct direct : {Direct::lights, Direct::hemisphere}) {
+    for_all(
+        [=] {
+          const Case c = *asked_of(wall_under_the_sky(color(0.1, 1), rc::gen::just(direct)),
+                                   rc::gen::just(Bounces{1, 1}));
+          expect_moves_on(c.seed, [&](pt::Sampler& sampler) {
+            return pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
+          });
+        },
+        5);
+  }
   // All paths of these scenes leave them.
   for (const auto& open :
        {sunny_wall(gray(0.2, 1)), wall_under_the_sky(color(0.1, 1), either_way())}) {
