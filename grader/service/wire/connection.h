@@ -29,7 +29,7 @@ void begin_again();
 // Returns the next of them, if there are any, and draws from the sampler as radiance() does.
 std::optional<pt::Rgb> next_ahead(pt::Sampler& sampler);
 
-// Whether the judge wants to hear of the calls that get them. It gets such a question before any other message.
+// The judge may want to hear of the calls that get them. It gets such a question before any other message.
 bool wants_to_be_told();
 void tell(std::string_view question);
 
