@@ -254,14 +254,18 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--camera", options.framing,
                  "file, fit or course, as for ./run render; default file")
-      ->transform(CLI::CheckedTransformer(pt::kFramingWords));
+      ->transform(CLI::CheckedTransformer(pt::kFramingWords).description(""))
+      ->type_name("course|fit|file")
+      ->default_str("file");
   app.add_option("--light", options.course_light, pt::kCourseLightHelp)
-      ->transform(CLI::CheckedTransformer(pt::kCourseLightWords))
-      ->type_name("file|course");
+      ->transform(CLI::CheckedTransformer(pt::kCourseLightWords).description(""))
+      ->type_name("file|course")
+      ->default_str("file");
   app.add_option("--as", options.format,
                  "what {scene} is: plain, pbrt, mitsuba or blender, as ./run export writes it; "
                  "else COLLADA")
-      ->transform(CLI::CheckedTransformer(pt::kSceneFormats));
+      ->transform(CLI::CheckedTransformer(pt::kSceneFormats).description(""))
+      ->type_name("plain|pbrt|mitsuba|blender");
   app.add_option("--format", options.renderer.format, "of {out}: exr, pfm or hdr")
       ->check(CLI::IsMember({"exr", "pfm", "hdr"}))
       ->capture_default_str();

@@ -24,7 +24,8 @@ int main(int argc, char** argv) {
   app.add_option("SCENE", scene, "a COLLADA file")->required()->check(CLI::ExistingFile);
   app.add_option("--to", format, "plain (a line per thing), pbrt, mitsuba or blender")
       ->required()
-      ->transform(CLI::CheckedTransformer(pt::kSceneFormats));
+      ->transform(CLI::CheckedTransformer(pt::kSceneFormats).description(""))
+      ->type_name("plain|pbrt|mitsuba|blender");
   app.add_option("FOLDER", folder, "a folder for its files; made if it is missing")->required();
   app.add_option("-r,--size", size, "width and height in pixels, default 480 360")
       ->expected(2)
@@ -32,7 +33,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 16384))
       ->type_name("W H");
   app.add_option("--camera", framing, "file, fit or course, as for ./run render; default file")
-      ->transform(CLI::CheckedTransformer(pt::kFramingWords));
+      ->transform(CLI::CheckedTransformer(pt::kFramingWords).description(""))
+      ->type_name("course|fit|file")
+      ->default_str("file");
   app.add_option("-m,--bounces", depth, "the last bounce; 1 is direct light")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();

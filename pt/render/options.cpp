@@ -105,8 +105,9 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
   app.add_flag("--common-emission", options.common_emission,
                "Let surfaces emit the emission colour that exporters write (profile_COMMON)");
   app.add_option("--light", options.course_light, kCourseLightHelp)
-      ->transform(CLI::CheckedTransformer(kCourseLightWords))
-      ->type_name("file|course");
+      ->transform(CLI::CheckedTransformer(kCourseLightWords, CLI::ignore_case).description(""))
+      ->type_name("file|course")
+      ->default_str("file");
 }
 
 void describe_machine(CLI::App& app, RenderOptions& options) {
