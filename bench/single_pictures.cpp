@@ -126,8 +126,12 @@ struct Fault {
   double exposure = 1;
 };
 
+Image rendered(const pt::View& view, int samples, std::uint64_t seed) {
+  return mean(pt::render_film(view, {samples, {}, seed, 1}).film);
+}
+
 Image rendered(const Scene& scene, int from, int to, int samples, std::uint64_t seed) {
-  return mean(pt::render_film(scene.view(from, to), {samples, {}, seed, 1}).film);
+  return rendered(scene.view(from, to), samples, seed);
 }
 
 // Emitted, direct and indirect light with factors.
@@ -215,7 +219,7 @@ std::vector<Fault> faults() {
                      pt::choose_engine(other, pt::Engine::wide, 4);
                      const pt::View view = scene.view(0, 3);
                      const pt::View spoiled{other, view.camera, view.settings, width, height};
-                     return mean(pt::render_film(spoiled, {samples, {}, seed, 1}).film);
+                     return rendered(spoiled, samples, seed);
                    }});
   };
   other_scene("a sphere missing", "sphere around", [](pt::Scene& scene) {
@@ -233,7 +237,7 @@ std::vector<Fault> faults() {
     all.push_back({name, "field of view", [=](const Scene& scene, int samples, std::uint64_t seed) {
                      pt::View view = scene.view(0, 3);
                      change(view.camera);
-                     return mean(pt::render_film(view, {samples, {}, seed, 1}).film);
+                     return rendered(view, samples, seed);
                    }});
   };
   other_camera("field of view 10 % smaller", [](pt::Camera& camera) {
@@ -253,8 +257,12 @@ std::vector<Fault> faults() {
 void power(const std::vector<std::unique_ptr<Scene>>& scenes, int pictures, int threads,
            const std::string& only, const std::vector<int>& all_samples) {
   fmt::print("\n| fault: found, named, named falsely | file |");
-  for (const int samples : all_samples) fmt::print(" {} samples |", samples);
-  fmt::print("\n");
+  std::string line = "\n|---|---|";
+  for (const int samples : all_samples) {
+    fmt::print(" {} samples |", samples);
+    line += "---|";
+  }
+  fmt::print("{}\n", line);
   std::uint64_t seed = 1 << 20;
   int falsely = 0, all = 0;
   for (const Fault& fault : faults()) {

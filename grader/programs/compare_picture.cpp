@@ -83,8 +83,7 @@ void write_page(const Words& words, const SingleVerdict& verdict, const std::str
 
 int compare_picture(const Words& words, const pt::RenderOptions& options) {
   const pictures::SinglePicture picture = pictures::read_single(words.picture);
-  pt::LoadedScene loaded = pt::load_collada(
-      options.scene, {options.lambertian, options.common_emission, options.course_light});
+  pt::LoadedScene loaded = pt::load_collada(options.scene, options.load);
   if (options.show != pt::Show::normals) pt::require_supported(loaded, options.scene);
   pt::choose_engine(loaded.scene, pt::Engine::wide, options.max_leaf);
   const int width = words.has_size ? options.width : picture.linear.width;
@@ -113,7 +112,8 @@ int compare_rates(const Words& words, const pt::RenderOptions& options) {
         "the picture of -a has another number of samples in each pixel; compare its map, "
         "PICTURE_rate.png or PICTURE_rate.csv, or a picture without -a");
   }
-  if (!words.page.empty()) throw pt::Error("there is no page for a map of samples");
+  if (!words.page.empty())
+    throw pt::Error("--html shows pictures; leave it out for a map of samples");
   const pt::SampleMap map = pictures::read_rates(words.picture, *options.adaptive);
   pictures::Recipe recipe;
   recipe.name = "rates";
@@ -124,7 +124,7 @@ int compare_rates(const Words& words, const pt::RenderOptions& options) {
   recipe.settings = path_settings(options);
   recipe.adaptive = options.adaptive;
   recipe.seed = 1 + options.seed;
-  recipe.course_light = options.course_light;
+  recipe.load = options.load;
   pt::Progress progress;
   const auto [outcome, verdict] = pictures::judge_rates(map, recipe, options.threads,
                                                         [&](double part) { progress.show(part); });

@@ -57,7 +57,7 @@ pictures::Recipe recipe_of(const fs::path& scene, const Options& options) {
                              options.size[1], options.depth);
   recipe.scene = scene;
   recipe.framing = options.framing;
-  recipe.course_light = options.course_light;
+  recipe.load.course_light = options.course_light;
   recipe.width = options.size[0];
   recipe.height = options.size[1];
   recipe.settings.to = options.depth;

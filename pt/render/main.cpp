@@ -93,8 +93,7 @@ double brightest(const Film& film) {
 int run(int argc, const char* const* argv) {
   const RenderOptions options = parse_options(argc, argv);
   check_image_target(options.output);
-  LoadedScene loaded = load_collada(
-      options.scene, {options.lambertian, options.common_emission, options.course_light});
+  LoadedScene loaded = load_collada(options.scene, options.load);
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
   if (const std::string note = note_on_framing(loaded, options.framing); !note.empty()) {
     fmt::print(stderr, "{}\n", note);

@@ -100,11 +100,11 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
       ->expected(2)
       ->allow_extra_args(false)
       ->type_name("BATCH TOLERANCE");
-  app.add_flag("--lambertian", options.lambertian,
+  app.add_flag("--lambertian", options.load.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
-  app.add_flag("--common-emission", options.common_emission,
+  app.add_flag("--common-emission", options.load.common_emission,
                "Let surfaces emit the emission colour that exporters write (profile_COMMON)");
-  app.add_option("--light", options.course_light, kCourseLightHelp)
+  app.add_option("--light", options.load.course_light, kCourseLightHelp)
       ->transform(CLI::CheckedTransformer(kCourseLightWords, CLI::ignore_case).description(""))
       ->type_name("file|course")
       ->default_str("file");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pt/scene/frame_camera.h"
+#include "pt/scene/load_collada.h"
 #include "pt/scene/tracer.h"
 #include "pt/scene/view.h"
 #include "pt/tasks/adaptive_pixel.h"
@@ -33,9 +34,7 @@ struct RenderOptions {
   Engine engine = Engine::task;
   int max_leaf = 4;
   Framing framing = Framing::course;
-  bool lambertian = false;
-  bool common_emission = false;
-  bool course_light = false;
+  LoadOptions load;
   double exposure = 1;
   std::uint64_t seed = 0;
   int threads = 1;

@@ -57,7 +57,10 @@ std::string recipe_settings(const Recipe& recipe) {
 
 std::string picture_hash(const Recipe& recipe) {
   const std::string scene = base::sha256(pt::read_file(recipe.scene, kMaxFileBytes));
-  return base::sha256(recipe_settings(recipe) + scene + (recipe.course_light ? "course" : ""));
+  const std::string load = fmt::format("{}{}{}", recipe.load.lambertian ? " lambertian" : "",
+                                       recipe.load.common_emission ? " common emission" : "",
+                                       recipe.load.course_light ? " course light" : "");
+  return base::sha256(recipe_settings(recipe) + scene + load);
 }
 
 void write_provenance(const std::filesystem::path& file, const Provenance& from) {

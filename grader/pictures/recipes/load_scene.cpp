@@ -1,11 +1,10 @@
 // Separate from recipes.cpp, so that programs which only read recipes need no renderer.
 #include "grader/pictures/recipes/recipes.h"
-#include "pt/scene/load_collada.h"
 
 namespace grader::pictures {
 
 RecipeScene load_scene(const Recipe& recipe, pt::Engine engine) {
-  pt::LoadedScene loaded = pt::load_collada(recipe.scene, {.course_light = recipe.course_light});
+  pt::LoadedScene loaded = pt::load_collada(recipe.scene, recipe.load);
   if (!recipe.settings.show_normals) pt::require_supported(loaded, recipe.scene);
   const pt::Camera camera = pt::frame_camera(loaded, recipe.framing, recipe.width, recipe.height);
   loaded.scene.tracer = pt::Tracer(engine, loaded.scene.primitives);

@@ -2,6 +2,7 @@
 
 #include "pt/math/rgb.h"
 #include "pt/scene/frame_camera.h"
+#include "pt/scene/load_collada.h"
 #include "pt/scene/tracer.h"
 #include "pt/scene/view.h"
 #include "pt/tasks/adaptive_pixel.h"
@@ -36,7 +37,7 @@ struct Recipe {
   // or 6 if noisy. It is more if the contracts allow it: roulette and densities of many bounces add
   // up.
   double most_noise = 0;
-  bool course_light = false;       // area lights as in the course's skeleton
+  pt::LoadOptions load;            // scenes/recipes.json has the default
   std::optional<pt::Rgb> uniform;  // the radiance of every pixel, where theory knows it
 };
 

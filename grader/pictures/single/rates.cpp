@@ -75,10 +75,10 @@ pt::SampleMap read_rates(const fs::path& file, const pt::AdaptiveSettings& setti
   for (const pt::Rgb& pixel : image.pixels) {
     const auto rate = rate_of({pt::encode(pixel.r), pt::encode(pixel.g), pt::encode(pixel.b)});
     if (!rate) {
-      throw pt::Error(
-          file.string() +
-          ": it is no map of samples in the course's colours, blue by green to red; take the "
-          "_rate.csv that ./run render -a writes beside its map");
+      throw pt::Error(file.string() +
+                      ": its colours are not those of the course's maps of samples, from blue over "
+                      "green to red; "
+                      "for a map of ./run render -a, name the _rate.csv beside it");
     }
     map.counts.push_back(counted(*rate, settings));
   }

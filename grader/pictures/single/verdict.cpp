@@ -108,6 +108,11 @@ pt::Image SinglePicture::decoded(const Codec& codec) const {
   return image;
 }
 
+std::vector<Codec> codecs_of(const SinglePicture& picture, const SingleQuestion& question) {
+  if (!picture.eight_bits) return {{false}};
+  return usual_codecs(question.exposures, question.curves);
+}
+
 SinglePicture read_single(const std::filesystem::path& file) {
   const std::string bytes = pt::read_file(file, pt::kMaxPictureBytes);
   if (bytes.starts_with("\xff\xd8")) {
@@ -148,8 +153,7 @@ SingleVerdict judge_single(const SinglePicture& picture, const SingleQuestion& q
     return verdict;
   }
   const pt::Image mean = mean_of(ours), soft = softened(mean);
-  std::vector<Codec> codecs{{false}};
-  if (picture.eight_bits) codecs = usual_codecs(question.exposures, question.curves);
+  const std::vector<Codec> codecs = codecs_of(picture, question);
   for (std::size_t k = 0; k < codecs.size(); ++k) {
     std::vector<pt::Image> coded;
     for (const pt::Image& one : ours) coded.push_back(codecs[k].through(one));

@@ -40,6 +40,9 @@ struct SingleQuestion {
   int most_own_samples = kMostOwnSamples;
 };
 
+// The ways that the picture may have gone.
+std::vector<Codec> codecs_of(const SinglePicture& picture, const SingleQuestion& question);
+
 struct SingleVerdict {
   enum class Outcome { agrees, wrong, cannot_say };
   Outcome outcome = Outcome::agrees;

@@ -95,12 +95,9 @@ Fit fitted(const Pair& pair) {
 
 // The best fit by any usual codec: the codec that fits a picture of another window best need not be its own.
 Fit best_fit(const Suspects& suspects) {
-  const SingleQuestion& question = suspects.question();
   const pt::Image mean = mean_of(suspects.ours());
-  std::vector<Codec> codecs{{false}};
-  if (suspects.picture().eight_bits) codecs = usual_codecs(question.exposures, question.curves);
   Fit best;
-  for (const Codec& codec : codecs) {
+  for (const Codec& codec : codecs_of(suspects.picture(), suspects.question())) {
     if (codec.floor) continue;
     const Fit fit =
         fitted({softened(suspects.picture().decoded(codec)), softened(codec.through(mean))});

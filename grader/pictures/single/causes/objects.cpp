@@ -21,8 +21,8 @@ struct Object {
 std::vector<Object> objects_of(const pt::Scene& scene, const std::vector<int>& seen) {
   const pt::Primitives& primitives = scene.primitives;
   std::vector<Object> objects{
-      {"every sphere", [&scene](int i) { return !scene.primitives.is_triangle(i); }},
-      {"every triangle", [&scene](int i) { return scene.primitives.is_triangle(i); }}};
+      {"every sphere", [&primitives](int i) { return !primitives.is_triangle(i); }},
+      {"every triangle", [&primitives](int i) { return primitives.is_triangle(i); }}};
   std::set<int> materials, spheres;
   for (const int primitive : seen) {
     if (primitive < 0) continue;
