@@ -95,8 +95,6 @@ TEST(RectangleLight, matches_lamberts_formula) {
   }
 }
 
-// A point in the plane of the light or behind it gets no light at all, nor does a point that is
-// seen from its side away from the light.
 // A lamp so small that all of it is equally far.
 TEST(RectangleLight, as_in_the_course_is_stronger_by_the_distance) {
   const Place place = askew();
@@ -110,8 +108,8 @@ TEST(RectangleLight, as_in_the_course_is_stronger_by_the_distance) {
   const SurfacePoint point = receiver(scene, place);
   const Rgb truth =
       2.5 * reflected(irradiance(place, parallelogram(small.center, small.u, small.v)));
-  const auto expect_near = [&](Rgb light, const char* how) {
-    EXPECT_NEAR(light.g / truth.g, 1, 1e-4) << how;
+  const auto expect_near = [&](Rgb reflected_light, const char* how) {
+    EXPECT_NEAR(reflected_light.g / truth.g, 1, 1e-4) << how;
   };
   Sampler sampler(41);
   expect_near(direct_lights(scene, point, 2000, sampler), "one by one");
@@ -126,6 +124,8 @@ TEST(RectangleLight, as_in_the_course_is_stronger_by_the_distance) {
   expect_near(sum / (250 * kLightGroup), "in groups");
 }
 
+// A point in the plane of the light or behind it gets no light at all, nor does a point that is
+// seen from its side away from the light.
 TEST(RectangleLight, is_dark_on_the_other_sides) {
   const Rectangle turned_away{"", {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, false};
   const Rectangle below{"", {0, 0, -2}, {1, 0, 0}, {0, 1, 0}, false};
