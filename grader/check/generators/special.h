@@ -3,6 +3,7 @@
 #include "grader/check/generators/generators.h"
 #include "pt/geometry/box.h"
 #include "pt/geometry/ray.h"
+#include "pt/math/rgb.h"
 
 #include <array>
 #include <cmath>
@@ -152,6 +153,13 @@ inline void exchange_or_add_in(pt::Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
     if (box.min[axis] > box.max[axis]) std::swap(box.min[axis], box.max[axis]);
   }
+}
+
+// The same of a colour, whose channels are at most half of what they may be.
+inline void exchange_or_add_in(pt::Rgb& color) {
+  const int more = *whole(0, 2), less = (more + *whole(1, 2)) % 3;
+  if (*whole(0, 1) == 0) return std::swap(color[more], color[less]);
+  color[more] += std::exchange(color[less], 0);
 }
 
 // Two calls, one after the other. What a task remembers of the first, by whatever part of it, must

@@ -70,13 +70,18 @@ struct Argument<const pt::View&> {
 
 template <class Element>
 struct Argument<std::span<const Element>> {
-  using Held = std::vector<Element>;
-  static constexpr std::uint64_t kCode = Codec<Held>::kCode;
-  static void put(Writer& out, auto&, std::span<const Element> list) {
-    wire::put(out, Held(list.begin(), list.end()));
+  using List = std::vector<Element>;
+  using Held = std::span<const Element>;
+  static constexpr std::uint64_t kCode = Codec<List>::kCode;
+  static void put(Writer& out, auto&, Held list) { wire::put(out, List(list.begin(), list.end())); }
+  // All lists lie in one place, so that a task that remembers a list by its place does not get a new one each time.
+  static Held get(Reader& in, const auto&) {
+    static List place;
+    const List list = wire::get<List>(in);
+    place.assign(list.begin(), list.end());
+    return place;
   }
-  static Held get(Reader& in, const auto&) { return wire::get<Held>(in); }
-  static std::span<const Element> use(Held& held) { return held; }
+  static Held use(Held held) { return held; }
 };
 
 // The parts of the type of a contract's function.

@@ -7,6 +7,7 @@
 #include "grader/check/language/repetition.h"
 #include "grader/check/language/two_numbers.h"
 #include "grader/check/scenes/closed_forms.h"
+#include "grader/check/scenes/in_turn.h"
 #include "grader/check/scenes/scenes.h"
 #include "grader/check/scenes/textbook.h"
 #include "grader/tasks/direct_hemisphere/inputs.h"
@@ -382,6 +383,27 @@ PROMISE(direct_hemisphere, draws_from_the_sampler_alone) {
         });
       },
       4);
+  for_all(
+      [] {
+        constexpr int kTurns = 20, kSamples = 64;
+        const auto [before, now] = *under_the_sky_in_turn();
+        const auto seed = draw("seed", sampler_seed());
+        std::vector<Rgb> of_before, of_now;
+        for (int i = 0; i < kTurns; ++i) {
+          const auto ask = [&](const Situation& s) {
+            return repeat<pt::direct_hemisphere>(1, seed + i, s.scene, s.point, kSamples).front();
+          };
+          of_before.push_back(ask(before));
+          of_now.push_back(ask(now));
+        }
+        const auto expect_of = [](const std::vector<Rgb>& answers, const Situation& s) {
+          expect_mean("the mean of every second call, between calls with other numbers",
+                      mean_of(answers), s.expected, noise_of_directions(s, kSamples), tolerance(s));
+        };
+        expect_of(of_before, before);
+        expect_of(of_now, now);
+      },
+      20);
   expect_explained(wild_task());
 }
 

@@ -1,4 +1,5 @@
 #include "grader/check/language/in_a_row.h"
+#include "grader/check/scenes/in_turn.h"
 #include "grader/tasks/direct_lights/estimates.h"
 #include "grader/tasks/direct_lights/inputs.h"
 #include "grader/tasks/direct_lights/shadows.h"
@@ -348,6 +349,16 @@ PROMISE(direct_lights, draws_from_the_sampler_alone) {
         },
         1);
   }
+  for_all(
+      [] {
+        const auto [before, now] = *below_a_point_light_in_turn();
+        const auto seed = draw("seed", sampler_seed());
+        for (const Situation& s : {before, now, before}) {
+          const Rgb one = repeat<pt::direct_lights>(1, seed, s.scene, s.point, 1).front();
+          expect_near("the estimate, after one of other numbers", one, s.expected, tolerance(s));
+        }
+      },
+      50);
   expect_explained(wild_task());
 }
 

@@ -1,5 +1,6 @@
 #include "grader/check/generators/random_numbers.h"
 #include "grader/check/language/in_a_row.h"
+#include "grader/check/scenes/in_turn.h"
 #include "grader/tasks/trace_path/estimates.h"
 #include "grader/tasks/trace_path/inputs.h"
 #include "grader/tasks/trace_path/wild.h"
@@ -385,6 +386,24 @@ PROMISE(trace_path, draws_from_the_sampler_alone) {
         },
         10);
   }
+  // Calls in turn: the surface or the light has other numbers, or the bounces 0 to 1 become 1 to 0, of which there are none.
+  for_all(
+      [] {
+        const auto [before, now] = *below_a_point_light_in_turn();
+        const auto seed = draw("seed", sampler_seed());
+        const auto ask = [seed](const Situation& s, Bounces which) {
+          return repeat<pt::trace_path>(1, seed, s.scene, s.point, settings_of(which)).front();
+        };
+        const auto expect_light = [](Rgb found, const Situation& s, Rgb expected) {
+          expect_near("the estimate, after one of other numbers", found, expected,
+                      4 * kColorPrecision * max_channel(s.expected));
+        };
+        for (const Situation& s : {before, now, before}) {
+          expect_light(ask(s, {0, 1}), s, s.expected);
+          expect_light(ask(s, {1, 0}), s, {});
+        }
+      },
+      30);
   expect_explained(wild_task());
 }
 
