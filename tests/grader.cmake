@@ -75,6 +75,10 @@ foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
   # A bonus promise may ask for more than the plain method that the reference shows.
   firstlight_add_test(check.${slug} rest NEEDS check.${slug}.reference
     COMMAND check.${slug}.reference --gtest_filter=-*_bonus)
+  # A failure is shown on simple values if they fail, too: right work has to hold there.
+  firstlight_add_test(simple.${slug} rest NEEDS check.${slug}.reference
+    COMMAND check.${slug}.reference --gtest_filter=-*_bonus)
+  set_tests_properties(simple.${slug} PROPERTIES ENVIRONMENT FIRSTLIGHT_SIMPLE=1)
 endforeach()
 
 # Limits on memory do not go with AddressSanitizer.

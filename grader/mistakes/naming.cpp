@@ -95,6 +95,35 @@ std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Ev
   return found;
 }
 
+std::map<std::string, double> likeness(const KnownTask& known, const Evidence& evidence) {
+  const std::size_t calls = std::min(evidence.answers.size(), known.right.size());
+  // A call that is left out of the file of a known mistake has the right answer there.
+  std::vector<bool> wrong(calls);
+  std::vector<int> wrong_in(calls);
+  const auto is_wrong_in = [&](const Fingerprint& mistake, std::size_t call) {
+    return !(mistake.answers.at(call) == known.right[call]);
+  };
+  for (std::size_t call = 0; call < calls; ++call) {
+    wrong[call] = !is_as_right(evidence.answers[call], known.right[call]);
+    wrong_in[call] = static_cast<int>(std::ranges::count_if(
+        known.mistakes, [&](const Fingerprint& each) { return is_wrong_in(each, call); }));
+  }
+  std::map<std::string, double> found;
+  for (const Fingerprint& mistake : known.mistakes) {
+    if (!evidence.broken.contains(mistake.breaks)) continue;
+    double in_both = 0, in_one = 0;
+    for (std::size_t call = 0; call < calls; ++call) {
+      const bool other = is_wrong_in(mistake, call);
+      const double weight = std::log((std::ssize(known.mistakes) + 1) / (wrong_in[call] + 0.5));
+      if (wrong[call] && other) in_both += weight;
+      if (wrong[call] || other) in_one += weight;
+    }
+    double& most = found[mistake.breaks];
+    if (in_one > 0) most = std::max(most, in_both / in_one);
+  }
+  return found;
+}
+
 bool agree(const Answers& a, const Answers& b) {
   if (a.size() != b.size()) return false;
   Deviation all;

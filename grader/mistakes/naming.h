@@ -3,6 +3,7 @@
 #include "grader/mistakes/answers.h"
 #include "grader/mistakes/known.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,5 +34,10 @@ bool explains(const Fingerprint& mistake, const Evidence& evidence);
 // three at most. Returns nothing if no mistake explains it, if mistakes with different answers do,
 // or if the answers are those of the reference. A wrong name costs a learner hours.
 std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Evidence& evidence);
+
+// Returns how alike the task is to known mistakes, for each broken promise the most alike of those that break it: from 0 to 1, the
+// share of the calls with a wrong answer that have one in both. A call that few mistakes answer wrongly counts more. So it says which promise
+// a mistake without a name most likely breaks, and which ones it only touches.
+std::map<std::string, double> likeness(const KnownTask& known, const Evidence& evidence);
 
 }  // namespace grader::mistakes

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace grader::results {
 
@@ -16,7 +17,7 @@ int rank_of_cause(Cause cause) {
   return cause == Cause::wrong ? 3 : 2;
 }
 
-using Rank = std::array<int, 6>;
+using Rank = std::array<int, 8>;
 
 // Nearly all promises are broken. Then they have one cause, and the contract begins with the simplest.
 bool is_broken_throughout(const TaskResult& task) {
@@ -33,15 +34,17 @@ Rank rank_of(const PromiseResult& promise, bool broken_throughout) {
   const auto alone = std::ranges::count(promise.failures, false, &Failure::integrated);
   const auto failing = std::max(alone, std::ssize(promise.failures) - alone);
   const int few = promise.checks > 0 && 2 * failing <= promise.checks ? 1 : 0;
-  Rank best{promise.bonus ? 1 : 0, 5, 1, 1, 1, 2};
+  const int unlike = static_cast<int>(std::lround(100 * (1 - promise.likeness)));
+  Rank best{promise.bonus ? 1 : 0, 5, unlike, 1, 1, 1, 1, 2};
   for (const Failure& failure : promise.failures) {
-    Rank rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause)};
+    Rank rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause), unlike};
     if (!broken_throughout) {
       const int lines = static_cast<int>(failure.input.size());
-      rank[2] = failure.statistical ? 1 : 0;
-      rank[3] = few;
-      rank[4] = failure.cases_before > kFirstInputs ? 1 : 0;
-      rank[5] = lines > kLongLines ? 2 : lines > kShortLines ? 1 : 0;
+      rank[3] = failure.statistical ? 1 : 0;
+      rank[4] = few;
+      rank[5] = failure.simple ? 0 : 1;
+      rank[6] = failure.cases_before > kFirstInputs ? 1 : 0;
+      rank[7] = lines > kLongLines ? 2 : lines > kShortLines ? 1 : 0;
     }
     best = std::min(best, rank);
   }

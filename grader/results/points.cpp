@@ -122,6 +122,34 @@ int worth(int usual, const std::map<std::string, int>& special, const std::strin
   return found == special.end() ? usual : found->second;
 }
 
+// The reason for which a promise is broken, if all its failures have the same one: the same end of a call, or the same answer
+// to the same input. Empty if there is none.
+std::string reason_of(const PromiseResult& promise) {
+  std::string reason;
+  for (const Failure& failure : promise.failures) {
+    if (failure.integrated) continue;
+    std::string own = fmt::format("{}: {}", name(failure.cause), failure.got);
+    if (failure.cause == Cause::wrong) own += fmt::format("\n{}", fmt::join(failure.input, "\n"));
+    if (reason.empty()) reason = own;
+    if (reason != own) return "";
+  }
+  return reason;
+}
+
+// The points that promises cost which are broken for the same reason as one that costs as much or more.
+int lost_for_the_same_reason(const TaskResult& result) {
+  std::map<std::string, int> lost, dearest;
+  for (const PromiseResult& promise : result.promises) {
+    const std::string reason = reason_of(promise);
+    if (promise.bonus || reason.empty() || is_kept_by_itself(promise)) continue;
+    lost[reason] += promise.points;
+    dearest[reason] = std::max(dearest[reason], promise.points);
+  }
+  int sum = 0;
+  for (const auto& [reason, points] : lost) sum += points - dearest[reason];
+  return sum;
+}
+
 // The points that broken promises cost beyond the limit for one cause. It is at most what the
 // promises that hold are worth, and 0 if the task always gives the same answer: such a task has
 // shown nothing, whatever its mistake is called.
@@ -139,9 +167,10 @@ int spared_by(const TaskPoints& task, const TaskResult& result) {
   const bool one_cause = !result.mistake.empty() && !result.mistake.always_the_same &&
                          result.mistake.found_by != kNamedOnly;
   const bool is_proven = result.mistake.found_by == kOneCause;
-  return !one_cause
-             ? 0
-             : std::clamp(lost - (is_proven ? dearest : share), 0, is_proven ? lost : all - lost);
+  if (one_cause && is_proven) return std::max(0, lost - dearest);
+  const int more = one_cause ? std::max(0, lost - share) : 0;
+  const int again = task.one_cause < 1 ? lost_for_the_same_reason(result) : 0;
+  return result.mistake.always_the_same ? 0 : std::min(std::max(more, again), all - lost);
 }
 
 }  // namespace

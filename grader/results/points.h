@@ -52,7 +52,8 @@ bool is_kept_by_itself(const PromiseResult& promise);
 // theirs, and counts there. A picture earns at most the share of its points that the promises of its
 // task earn of theirs, rounded. If a mistake is named, it is the one cause of all that is wrong: then
 // broken promises together cost at most the share `one_cause` of the points of the task's promises,
-// rounded up to a whole point. Anything beyond that is given back as `spared`: at most what the
+// rounded up to a whole point. Promises that are broken for the same reason (the same end of a call, as a crash, or the same answer to
+// the same input) count once, unless `one_cause` is 1. Anything beyond that is given back as `spared`: at most what the
 // promises that hold earn, and nothing if the task always gives the same answer. If kOneCause found
 // it, they cost what the dearest of them is worth; if kNamedOnly did, all that they are worth.
 void count_points(const Points& points, TaskResult& result);

@@ -58,6 +58,7 @@ struct Failure {
   Cause cause = Cause::wrong;
   bool statistical = false;  // an estimate was off by more than chance allows
   int cases_before = 0;      // the number of cases that held first
+  bool simple = false;       // an input of simple values fails, too, and is shown
   std::uint64_t seed = 0;    // of the run
   bool integrated = false;   // found with the submission's other tasks, not by itself
   std::string replay{};      // the command that shows it again
@@ -74,6 +75,7 @@ struct PromiseResult {
   double seconds = 0;
   std::vector<Failure> failures;
   int checks = 0;  // the number of things that it checks; 0: not known
+  double likeness = 0;  // to known mistakes that break it, from 0 to 1 (grader/mistakes/naming.h)
 
   bool operator==(const PromiseResult&) const = default;
 };
@@ -138,7 +140,7 @@ struct TaskResult {
   int points = 0;      // for promises kept and pictures that are right
   int max_points = 0;  // of the pictures, and of all promises but bonus ones
   int bonus_points = 0;
-  int spared = 0;  // the part of `points` that is given back: one cause costs at most its share
+  int spared = 0;  // the part of `points` that is given back: one cause costs no more than its share
   Mistake mistake;
   std::vector<std::string> blocked_by;  // slugs of the tasks that it waits for
   std::vector<std::string> blamed;      // slugs: it would pass with the reference for any of them

@@ -121,7 +121,8 @@ std::string spared_text(const TaskResult& task) {
     ++broken;
     taken += promise.points;
   }
-  return fmt::format("One cause: {} promises fail, {} {} taken.", broken, taken,
+  return fmt::format("{}: {} promises fail, {} {} taken.",
+                     task.mistake.empty() ? "One reason counts once" : "One cause", broken, taken,
                      taken == 1 ? "point is" : "points are");
 }
 

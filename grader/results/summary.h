@@ -63,7 +63,8 @@ std::string part_name(const std::string& part);
 // is named.
 std::string mistake_text(const TaskResult& task);
 
-// "One cause: 9 promises fail, 6 points are taken." Empty if nothing is spared.
+// "One cause: 9 promises fail, 6 points are taken." Without a name of the mistake, "One reason counts once: ...". Empty if nothing is
+// spared.
 std::string spared_text(const TaskResult& task);
 
 // The bonus promises that the task does not keep, although it keeps all others.

@@ -13,10 +13,13 @@ namespace grader::check {
 namespace {
 
 Choices* chosen = nullptr;
+bool is_simple = false;
 
 }  // namespace
 
 void choose_from(Choices* choices) { chosen = choices; }
+
+void choose_simply(bool simply) { is_simple = simply; }
 
 double next_choice(std::uint64_t random) {
   const double usual = static_cast<double>(random >> 11) * 0x1p-53;
@@ -27,15 +30,27 @@ double next_choice(std::uint64_t random) {
 
 namespace {
 
+// Returns one of the first values, half of the time the first.
+template <class T>
+T one_of_the_first(std::size_t count, const std::vector<T>& values, rc::Random random) {
+  const std::uint64_t number = random.next();
+  return number % 2 == 0 ? values[0] : values[number / 2 % std::min(count, values.size())];
+}
+
 // Makes a generator from two functions. `make` turns a random number into a value. `simpler` lists
 // the values that are simpler than a value, the simplest first.
 template <class Make, class Simpler>
 auto shrinking(Make make, Simpler simpler) {
   using T = decltype(make(0.0));
-  return rc::Gen<T>([=](const rc::Random& random, int) {
+  constexpr std::size_t kFirst = 2;  // the target, and a number of one digit
+  return rc::Gen<T>([=](rc::Random random, int) {
+    T value = make(next_choice(random.next()));
+    if (is_simple) {
+      if (const auto all = simpler(value); !all.empty())
+        value = one_of_the_first(kFirst, all, random);
+    }
     return rc::shrinkable::shrinkRecur(
-        make(next_choice(rc::Random(random).next())),
-        [=](const T& value) { return rc::seq::fromContainer(simpler(value)); });
+        value, [=](const T& now) { return rc::seq::fromContainer(simpler(now)); });
   });
 }
 
@@ -92,7 +107,9 @@ std::vector<double> simpler_magnitude(double x, double target, double low, doubl
   return all;
 }
 
-// Directions that are easy to read, the simplest first.
+constexpr std::size_t kAlongAxes = 6;
+
+// Directions that are easy to read, the simplest first: those along an axis, and others.
 const std::vector<pt::Vec3>& simple_directions() {
   static const std::vector<pt::Vec3> all = [] {
     std::vector<pt::Vec3> list{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}};
@@ -118,10 +135,11 @@ std::vector<pt::Vec3> simpler_direction(pt::Vec3 v) {
 }  // namespace
 
 rc::Gen<double> real(double low, double high) {
-  const double middle = 0.5 * low + 0.5 * high;
   const double unit = power_of_ten(high > low ? high - low : 1);
+  const double middle = 0.5 * low + 0.5 * high, near = rounded(middle, unit);
+  const double target = near >= low && near <= high ? near : middle;
   return shrinking([=](double xi) { return low + xi * (high - low); },
-                   [=](double x) { return simpler(x, middle, unit, low, high); });
+                   [=](double x) { return simpler(x, target, unit, low, high); });
 }
 
 rc::Gen<double> magnitude(double low, double high) {
@@ -133,6 +151,10 @@ rc::Gen<double> magnitude(double low, double high) {
 rc::Gen<int> whole(int low, int high) {
   const rc::Gen<int> usual = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
   return rc::Gen<int>([=](const rc::Random& random, int size) {
+    if (is_simple && high > low) {
+      const int most = std::min(high - low, 2);
+      return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, low + most + 1))(random, size);
+    }
     if (chosen == nullptr) return usual(random, size);
     const double part = next_choice(rc::Random(random).next());
     return rc::shrinkable::just(low + static_cast<int>(part * (high - low + 1.0)));
@@ -153,8 +175,9 @@ rc::Gen<pt::Vec3> direction() {
     const double z = 2 * next_choice(first.next()) - 1;
     const double phi = 2 * pt::kPi * next_choice(second.next());
     const double r = std::sqrt(1 - z * z);
+    const pt::Vec3 any{r * std::cos(phi), r * std::sin(phi), z};
     return rc::shrinkable::shrinkRecur(
-        pt::Vec3{r * std::cos(phi), r * std::sin(phi), z},
+        is_simple ? one_of_the_first(kAlongAxes, simple_directions(), second) : any,
         [](pt::Vec3 v) { return rc::seq::fromContainer(simpler_direction(v)); });
   });
 }

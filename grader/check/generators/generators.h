@@ -22,7 +22,7 @@
 
 namespace grader::check {
 
-// Any double in [low, high]; shrinks towards the middle, and to few decimals.
+// Any double in [low, high]; shrinks towards the middle, rounded to a digit, and to few decimals.
 rc::Gen<double> real(double low, double high);
 
 // A double between low and high, both > 0, on a logarithmic scale. Shrinks towards 1 (or the

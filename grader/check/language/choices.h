@@ -21,6 +21,10 @@ struct Choices {
 // too short, RapidCheck's numbers are added to it.
 void choose_from(Choices* choices);
 
+// From now on, generators make simple values only: numbers of one digit, whole numbers near their lower end, directions along
+// an axis.
+void choose_simply(bool simply);
+
 // The next number of the list. `random` is used where there is none.
 double next_choice(std::uint64_t random);
 

@@ -1,5 +1,6 @@
 #include "grader/check/language/find_failure.h"
 
+#include "grader/check/language/choices.h"
 #include "grader/check/language/fail.h"
 
 #include <algorithm>
@@ -18,6 +19,9 @@ using results::Failure;
 // The largest number of smaller inputs to try; most failures need 20. It is no time, so that every
 // machine shows the same input. For costly inputs, the session has a limit of its own.
 constexpr int kMaxSmaller = 100;
+
+// Before that, so many inputs of simple values, each of which may show the fault at once. A mean takes thousands of calls.
+constexpr int kSimple = 40, kSimpleMeans = 8;
 
 int searches_for_smaller = 0;
 bool is_searching = false;
@@ -76,15 +80,36 @@ void add_input(Failure& failure, const std::string& name, const std::string& val
   }
 }
 
-// Watches a search: keeps the smallest failing case, and ends the search for a smaller one after a
-// number of tries. (RapidCheck's own listener reads its configuration from the environment and
-// prints it.)
+rc::detail::TestParams params_of(std::uint64_t seed, int cases) {
+  rc::detail::TestParams params;
+  params.seed = seed;
+  params.maxSuccess = cases;
+  return params;
+}
+
+// Watches a search. After a failure it tries simple inputs, goes on from one that fails for the same cause or else from the failing
+// one to smaller ones, keeps the smallest, and ends after a number of tries. (RapidCheck's own listener reads its
+// configuration from the environment and prints it.)
 class Watcher : public rc::detail::TestListener {
  public:
-  Watcher(const Counted& counted, const FailureSearch& search)
-      : counted_(counted), search_(search) {}
+  Watcher(Counted& counted, const FailureSearch& search) : counted_(counted), search_(search) {}
+
+  // Returns RapidCheck's message if the property failed and nothing ended the search.
+  std::string check(const rc::detail::TestParams& params) {
+    std::ostringstream text;
+    try {
+      const auto result =
+          rc::detail::checkProperty(rc::detail::toProperty([this] { counted_.run(); }),
+                                    rc::detail::TestMetadata{}, params, *this, {});
+      if (!result.is<rc::detail::SuccessResult>()) rc::detail::printResultMessage(result, text);
+    } catch (const Enough&) {
+    }
+    return text.str();
+  }
 
   void onTestCaseFinished(const rc::detail::CaseDescription& tried) override {
+    end_after_the_run_asked_for();
+    if (is_searching) return see_simple(tried);
     if (tried.result.type == rc::detail::CaseResult::Type::Success) ++held_;
     if (tried.result.type != rc::detail::CaseResult::Type::Failure) return;
     keep(tried);
@@ -92,10 +117,12 @@ class Watcher : public rc::detail::TestListener {
     is_searching = true;
     cause_ = failure_.cause;
     attempts_left_ = shrink_attempts(cause_, search_);
-    if (attempts_left_ == 0) throw Enough{};
+    try_simple_inputs();
+    if (attempts_left_ <= 0) throw Enough{};
   }
 
   void onShrinkTried(const rc::detail::CaseDescription& tried, bool fails) override {
+    end_after_the_run_asked_for();
     if (fails) {
       // The verdict is that of the first failure.
       const Cause cause = counted_.failure ? counted_.failure->cause : Cause::wrong;
@@ -111,11 +138,40 @@ class Watcher : public rc::detail::TestListener {
     if (!smallest_) return {};
     Failure failure = failure_;
     failure.cases_before = held_;
+    failure.simple = is_simple_;
+    // RapidCheck makes the values once more.
+    choose_simply(is_simple_);
     for (const auto& [name, value] : smallest_->example()) add_input(failure, name, value);
+    choose_simply(false);
     return {failure, smallest_run_, ""};
   }
 
  private:
+  // A search for simple inputs runs within the one that failed, which goes on if none of them fails.
+  void try_simple_inputs() {
+    const int most = failure_.statistical ? kSimpleMeans : kSimple;
+    choose_simply(true);
+    for (int i = 0; i < most && attempts_left_ > 1 && !is_simple_; ++i) {
+      check(params_of(search_.seed + static_cast<std::uint64_t>(i), 1));
+    }
+    choose_simply(false);
+    end_after_the_run_asked_for();
+    if (is_simple_) throw Enough{};
+  }
+
+  void see_simple(const rc::detail::CaseDescription& tried) {
+    if (tried.result.type != rc::detail::CaseResult::Type::Failure) throw Enough{};
+    const Cause cause = counted_.failure ? counted_.failure->cause : Cause::wrong;
+    attempts_left_ = std::min(attempts_left_, shrink_attempts(cause, search_)) - 1;
+    if (cause != cause_ || attempts_left_ <= 0) throw Enough{};
+    is_simple_ = true;
+    keep(tried);
+  }
+
+  void end_after_the_run_asked_for() const {
+    if (counted_.stop_at > 0 && counted_.runs >= counted_.stop_at) throw Enough{};
+  }
+
   // If something else was thrown, the text of RapidCheck says what.
   void keep(const rc::detail::CaseDescription& tried) {
     smallest_ = tried;
@@ -123,55 +179,23 @@ class Watcher : public rc::detail::TestListener {
     failure_ = counted_.failure.value_or(Failure{.got = tried.result.description});
   }
 
-  const Counted& counted_;
+  Counted& counted_;
   const FailureSearch& search_;
   std::optional<rc::detail::CaseDescription> smallest_;
   Failure failure_;  // of the smallest failing case
   int smallest_run_ = 0;
   int held_ = 0;
   int attempts_left_ = 0;
+  bool is_simple_ = false;      // an input of simple values fails
   Cause cause_ = Cause::wrong;  // of the first failure
 };
-
-// Ends a search after the run that is to be repeated.
-class Replayer : public rc::detail::TestListener {
- public:
-  explicit Replayer(const Counted& counted) : counted_(counted) {}
-
-  void onTestCaseFinished(const rc::detail::CaseDescription&) override { stop(); }
-  void onShrinkTried(const rc::detail::CaseDescription&, bool) override { stop(); }
-  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
-
- private:
-  void stop() const {
-    if (counted_.runs >= counted_.stop_at) throw Enough{};
-  }
-
-  const Counted& counted_;
-};
-
-// Returns RapidCheck's message if the property failed and the listener did not end the search.
-std::string check(Counted& counted, const FailureSearch& search,
-                  rc::detail::TestListener& listener) {
-  rc::detail::TestParams params;
-  params.seed = search.seed;
-  params.maxSuccess = search.cases;
-  std::ostringstream text;
-  try {
-    const auto result = rc::detail::checkProperty(rc::detail::toProperty([&] { counted.run(); }),
-                                                  rc::detail::TestMetadata{}, params, listener, {});
-    if (!result.is<rc::detail::SuccessResult>()) rc::detail::printResultMessage(result, text);
-  } catch (const Enough&) {
-  }
-  return text.str();
-}
 
 }  // namespace
 
 Found find_failure(const std::function<void()>& property, const FailureSearch& search) {
   Counted counted{property};
   Watcher watcher(counted, search);
-  const std::string fault = check(counted, search, watcher);
+  const std::string fault = watcher.check(params_of(search.seed, search.cases));
   is_searching = false;
   Found found = watcher.found();
   if (!found.failure) found.fault = fault;
@@ -182,8 +206,8 @@ int search_for_smaller() { return is_searching ? searches_for_smaller : 0; }
 
 void run_again(const std::function<void()>& property, const FailureSearch& search, int run) {
   Counted counted{property, run};
-  Replayer replayer(counted);
-  check(counted, search, replayer);
+  Watcher(counted, search).check(params_of(search.seed, search.cases));
+  is_searching = false;
 }
 
 void at_smallest_failure() { asm volatile(""); }

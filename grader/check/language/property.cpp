@@ -1,5 +1,6 @@
 #include "grader/check/language/property.h"
 
+#include "grader/check/language/choices.h"
 #include "grader/check/language/fail.h"
 #include "grader/check/language/find_failure.h"
 
@@ -77,6 +78,7 @@ void for_all(const std::function<void()>& property, int cases) {
   // Each call draws other inputs, also if its generators are those of the call before.
   const auto call = static_cast<std::uint64_t>(mutable_checks()[promise]++);
   FailureSearch search{hash(task + "." + promise, seed()) + call, cases, is_shrinking};
+  choose_simply(std::getenv("FIRSTLIGHT_SIMPLE") != nullptr);
   // A task that crashes in one promise crashes in most promises, and one small input is enough.
   if (std::ranges::any_of(failures(), crashed)) search.max_crashes = 4;
   Found found = find_failure(property, search);

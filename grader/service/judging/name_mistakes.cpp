@@ -6,6 +6,7 @@
 #include "pt/file.h"
 
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <optional>
 
@@ -72,6 +73,11 @@ void name_mistakes(const build::Config& config, const build::Builder& builder,
     const mistakes::KnownTask known = mistakes::known_from_json(pt::read_file(path), path);
     const auto evidence = evidence_of(config, builder, request, *failing[i]);
     if (!evidence) return;
+    const std::map<std::string, double> likeness = mistakes::likeness(known, *evidence);
+    for (results::PromiseResult& promise : failing[i]->result.promises) {
+      if (const auto found = likeness.find(promise.name); found != likeness.end())
+        promise.likeness = found->second;
+    }
     results::Mistake mistake = described(mistakes::name_by_battery(known, *evidence));
     if (mistake.empty()) return;
     mistake.always_the_same = mistakes::always_the_same(evidence->answers);

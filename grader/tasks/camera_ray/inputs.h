@@ -27,9 +27,9 @@ inline double radians(double degrees) { return degrees * pt::kPi / 180; }
 inline double field_of_view() {
   switch (*whole(0, 4)) {
     case 0:
-      return *magnitude(1e-3, 10);
-    case 1:
       return *rc::gen::element(90.0, 170.0);
+    case 1:
+      return *magnitude(1e-3, 10);
     case 2:
       return *real(120, 170);
     default:

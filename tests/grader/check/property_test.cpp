@@ -82,8 +82,74 @@ TEST(Property, tries_as_many_smaller_inputs_on_every_machine) {
     check::find_failure(fails, {.seed = 1, .cases = 100});
     return calls;
   };
-  EXPECT_EQ(calls_with(300), calls_with(600));
-  EXPECT_LT(calls_with(20), calls_with(300));
+  constexpr int kMost = 201;  // RapidCheck makes an input of each try, and runs it
+  EXPECT_LE(calls_with(600), kMost);
+  EXPECT_LE(calls_with(1200), kMost);
+  EXPECT_LT(calls_with(20), calls_with(600));
+}
+
+// A hundred steps make few of so many numbers simpler, but an input of simple numbers fails as well.
+TEST(Property, shows_simple_values_where_they_fail_too) {
+  const results::Failure failure = failure_of([] {
+    for (int i = 0; i < 300; ++i) {
+      check::draw("x", check::real(900, 1000));
+      check::draw("n", check::whole(7, 1000));
+      check::draw("d", check::direction());
+    }
+    check::expect(false, "more", "less");
+  });
+  EXPECT_TRUE(failure.simple);
+  ASSERT_EQ(failure.input.size(), 900u);
+  const std::set<std::string> known{"x: 900",        "x: 950",        "x: 1000",
+                                    "n: 7",          "n: 8",          "n: 9",
+                                    "d: (0, 0, 1)",  "d: (1, 0, 0)",  "d: (0, 1, 0)",
+                                    "d: (0, 0, -1)", "d: (-1, 0, 0)", "d: (0, -1, 0)"};
+  for (const std::string& line : failure.input) EXPECT_TRUE(known.contains(line)) << line;
+}
+
+TEST(Property, makes_the_failing_input_smaller_where_simple_values_hold) {
+  const auto has_a_part_below_a_unit = [](double x) { return x != std::round(x); };
+  const results::Failure failure = failure_of([&] {
+    const double x = check::draw("x", check::real(0, 20));
+    check::draw("y", check::real(900, 1000));
+    check::expect(!has_a_part_below_a_unit(x), "a whole number", "another");
+  });
+  EXPECT_FALSE(failure.simple);
+  EXPECT_EQ(failure.input[1], "y: 1000");
+}
+
+struct Drawn {
+  std::vector<int> numbers;
+};
+
+void showValue(const Drawn& drawn, std::ostream& out) {
+  for (const int each : drawn.numbers) out << "number " << each << "\n";
+}
+
+// RapidCheck makes the failing input once more to show it. No smaller one fails here.
+TEST(Property, shows_the_simple_input_that_failed) {
+  const results::Failure failure = failure_of([&] {
+    const Drawn drawn = *rc::gen::exec([] {
+      Drawn made;
+      const int count = *check::whole(1, 9);
+      for (int i = 0; i < count; ++i) made.numbers.push_back(*check::whole(3, 5));
+      return made;
+    });
+    check::expect(drawn.numbers != std::vector<int>{5}, "another list", "five");
+  });
+  EXPECT_TRUE(failure.simple);
+  EXPECT_EQ(failure.input, std::vector<std::string>{"number 5"});
+}
+
+// A simple input that fails for another reason is not shown, either.
+TEST(Property, keeps_the_cause_where_a_simple_input_has_another) {
+  const results::Failure failure = failure_of([] {
+    const int n = check::draw("n", check::whole(0, 1000));
+    if (n > 10) check::expect(false, "more", "less");
+    check::fail_call(results::Cause::crash, "signal 11");
+  });
+  EXPECT_EQ(failure.cause, results::Cause::wrong);
+  EXPECT_FALSE(failure.simple);
 }
 
 // A smaller input that fails for another reason is not shown: the verdict is that of the first.

@@ -238,5 +238,24 @@ TEST(known_mistakes, are_described_above_their_code) {
   EXPECT_EQ(print.hint, "Look here, and there.");
 }
 
+// Three calls, right where the answer is 1. Everybody is wrong in the first; so that says less than the other two.
+TEST(likeness, is_the_share_of_the_calls_that_both_answer_wrongly) {
+  const auto answers = [](double x, double y, double z) {
+    return Answers{exact({x}), exact({y}), exact({z})};
+  };
+  const auto one = [&](const std::string& breaks, const Answers& wrong) {
+    return Fingerprint{breaks, breaks, "", "", wrong};
+  };
+  const KnownTask task{
+      answers(1, 1, 1),
+      {one("a", answers(2, 2, 1)), one("b", answers(3, 1, 3)), one("c", answers(4, 1, 1))}};
+  const Evidence evidence{answers(7, 7, 1), {"a", "b"}};
+  const auto found = likeness(task, evidence);
+  const double of_the_first = std::log(4 / 3.5), of_another = std::log(4 / 1.5);
+  ASSERT_EQ(found.size(), 2u);  // c is not broken
+  EXPECT_NEAR(found.at("a"), 1, 1e-12);
+  EXPECT_NEAR(found.at("b"), of_the_first / (of_the_first + 2 * of_another), 1e-12);
+}
+
 }  // namespace
 }  // namespace grader::mistakes

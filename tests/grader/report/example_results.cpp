@@ -177,8 +177,8 @@ PictureResult full_picture() {
 }
 
 TaskResult full_task() {
-  const Failure failure{{"a", "b"}, "c", "d",        "e",  "f", Cause::bad_reply,
-                        true,       1,   1ULL << 63, true, "h"};
+  const Failure failure{{"a", "b"}, "c", "d",  "e",        "f",  Cause::bad_reply,
+                        true,       1,   true, 1ULL << 63, true, "h"};
   const PictureResult picture = full_picture();
   return {.part = "i",
           .number = "j",

@@ -66,6 +66,27 @@ TEST(order, puts_the_most_telling_promise_first) {
                                        "mean", "silent", "bonus"));
 }
 
+// The task is wrong where a known mistake is that breaks this promise; it only touches the others.
+TEST(order, begins_with_the_promise_of_the_most_alike_known_mistake) {
+  PromiseResult exact = broken("exact", failure(Cause::wrong)), alike = exact, dead = exact;
+  exact.likeness = 0.3;
+  alike.name = "alike";
+  alike.failures[0].statistical = true;
+  alike.likeness = 0.6;
+  dead.name = "dead";
+  dead.failures[0].cause = Cause::crash;
+  EXPECT_THAT(order(failing("a", {exact, alike, dead, dead})),
+              ElementsAre("dead", "dead", "alike", "exact"));
+}
+
+TEST(order, prefers_a_failure_on_simple_values) {
+  PromiseResult any = broken("any", failure(Cause::wrong)), simple = any, kept = any;
+  simple.name = "simple";
+  simple.failures[0].simple = true;
+  kept.held = true;
+  EXPECT_THAT(order(failing("a", {any, simple, kept})), ElementsAre("simple", "any"));
+}
+
 // A wrong cosine breaks thirteen promises of fourteen. The simplest, the first, tells more than an exact one.
 TEST(order, begins_with_the_first_promise_if_nearly_all_are_broken) {
   PromiseResult first = broken("first", failure(Cause::wrong, "2", 90, 40));
@@ -192,6 +213,8 @@ TEST(Spared, a_bonus_is_no_part_of_what_one_cause_costs) {
   task.promises[3].bonus = true;
   task.promises[4].held = true;
   task.spared = 4;
+  EXPECT_EQ(spared_text(task), "One reason counts once: 3 promises fail, 2 points are taken.");
+  task.mistake.name = "epsilon";
   EXPECT_EQ(spared_text(task), "One cause: 3 promises fail, 2 points are taken.");
 }
 

@@ -161,6 +161,38 @@ TEST(points, of_one_cause_are_a_share_of_the_weights) {
 }
 
 // A dialect bounds the cost of a cause that the judge has named. A name that the submission may have printed changes nothing.
+// Two promises crash alike, a third in another way; two fail by the same answer to the same input, and one by the same to another.
+TEST(points, of_promises_that_are_broken_for_the_same_reason_count_once) {
+  const auto broken = [](const std::string& got, Cause cause, const std::string& input) {
+    PromiseResult promise;
+    promise.failures.push_back({.input = {input}, .got = got, .cause = cause});
+    return promise;
+  };
+  PromiseResult kept;
+  kept.held = true;
+  TaskResult task;
+  task.slug = "hit_box";
+  task.promises = {broken("endless", Cause::crash, "x"),
+                   broken("endless", Cause::crash, "y"),
+                   broken("signal", Cause::crash, "x"),
+                   broken("2", Cause::wrong, "x"),
+                   broken("2", Cause::wrong, "x"),
+                   broken("2", Cause::wrong, "y"),
+                   kept,
+                   kept};
+  TaskPoints points;
+  points.one_cause = 0.5;
+  EXPECT_EQ(counted(task, points).spared, 2);
+  task.promises[1].failures.push_back(task.promises[3].failures[0]);  // another reason as well
+  EXPECT_EQ(counted(task, points).spared, 1);
+  task.promises.pop_back();
+  task.promises.pop_back();
+  EXPECT_EQ(counted(task, points).spared, 0);  // no promise is kept
+  task.promises.push_back(kept);
+  points.one_cause = 1;
+  EXPECT_EQ(counted(task, points).spared, 0);
+}
+
 TEST(points, that_one_cause_of_a_dialect_takes_are_those_of_one_promise) {
   TaskPoints points;
   points.promise = 3;
