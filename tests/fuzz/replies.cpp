@@ -70,7 +70,7 @@ void judge(const std::vector<pt::Ray>& rays) {
 template <class Result>
 void look_at(const Result& result) {
   if constexpr (!std::is_same_v<Result, pt::PictureRows>) {
-    if (has_valid_numbers(result)) judge(result);
+    if (!bad_number(result)) judge(result);
     if constexpr (std::is_same_v<Result, pt::Ray>) judge(std::vector<pt::Ray>(3, result));
   }
 }
@@ -81,7 +81,7 @@ void read_reply(std::string_view bytes) {
   using Signature = SignatureOf<Function>;
   Reader in(bytes);
   const auto head = get<ReplyHead>(in);
-  has_valid_numbers(head.tests.boxes);
+  bad_number(head.tests.boxes);
   const auto result = get<typename Signature::Result>(in);
   if constexpr (Signature::kDraws) get<pt::Sampler>(in);
   in.expect_end();

@@ -24,9 +24,11 @@ Value read_reply(std::string_view bytes, const Read& read) {
 
 template <class Result>
 const Result& expect_numbers(const Result& result) {
-  if (!has_valid_numbers(result)) {
-    check::fail_call(results::Cause::bad_reply,
-                     "an answer in which a number is infinite or not a number");
+  if (const MaybeBad bad = bad_number(result)) {
+    const std::string which = bad->member.empty() ? "that" : "in which " + bad->member;
+    check::fail_call(
+        results::Cause::bad_reply,
+        "an answer " + which + (std::isnan(bad->value) ? " is not a number" : " is infinite"));
   }
   return result;
 }

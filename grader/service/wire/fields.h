@@ -12,11 +12,12 @@
 #include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/diffuse_bsdf.h"
 
+#include <string_view>
 #include <tuple>
 
 namespace grader::wire {
 
-// Both ends: the members of every struct that is sent. Encoding, decoding, type codes and the check
+// Both ends: the members of every struct that is sent, and their names: "x, y, z". Encoding, decoding, type codes and the check
 // for finite numbers use them. A member that is missing here is a compile error.
 template <class Struct>
 struct Fields;
@@ -26,13 +27,14 @@ concept HasFields = requires(T& value) {
   Fields<T>::of(value);
 };
 
-#define FIRSTLIGHT_FIELDS(Struct, ...) \
-  template <>                          \
-  struct Fields<Struct> {              \
-    static auto of(auto& value) {      \
-      auto& [__VA_ARGS__] = value;     \
-      return std::tie(__VA_ARGS__);    \
-    }                                  \
+#define FIRSTLIGHT_FIELDS(Struct, ...)                      \
+  template <>                                               \
+  struct Fields<Struct> {                                   \
+    static constexpr std::string_view names = #__VA_ARGS__; \
+    static auto of(auto& value) {                           \
+      auto& [__VA_ARGS__] = value;                          \
+      return std::tie(__VA_ARGS__);                         \
+    }                                                       \
   }
 
 FIRSTLIGHT_FIELDS(pt::Vec3, x, y, z);

@@ -90,6 +90,6 @@ struct Codec<explain::Told> {
 };
 
 // The events are compared, and none of their numbers has to be finite.
-inline bool has_valid_numbers(const explain::Told& told) { return has_valid_numbers(told.result); }
+inline MaybeBad bad_number(const explain::Told& told) { return bad_number(told.result); }
 
 }  // namespace grader::wire

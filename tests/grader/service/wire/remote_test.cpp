@@ -17,6 +17,7 @@
 #include <set>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -210,16 +211,40 @@ TEST(remote, types_that_differ_have_different_codes) {
   EXPECT_EQ(codes.size(), 12u);
 }
 
+// The way to the first bad number, and the number; empty if there is none.
+template <class Answer>
+std::string bad(const Answer& answer) {
+  const MaybeBad found = bad_number(answer);
+  return found ? fmt::format("{} {}", found->member, found->value) : "";
+}
+
 TEST(remote, answers_have_numbers) {
-  const double nan = std::nan("");
-  EXPECT_TRUE(has_valid_numbers(pt::Ray{{}, {0, 0, 1}, 0, pt::kInfinity}));
-  EXPECT_FALSE(has_valid_numbers(pt::Ray{{}, {0, nan, 1}, 0, 1}));
-  EXPECT_FALSE(has_valid_numbers(pt::Ray{{}, {0, 0, 1}, 0, nan}));
-  EXPECT_FALSE(has_valid_numbers(std::optional<pt::SurfaceHit>({pt::kInfinity, {}})));
-  EXPECT_TRUE(has_valid_numbers(std::optional<pt::SurfaceHit>()));
-  EXPECT_TRUE(has_valid_numbers(std::optional<pt::Interval>({0, pt::kInfinity})));
-  EXPECT_FALSE(has_valid_numbers(pt::Rgb{1, nan, 1}));
-  EXPECT_FALSE(has_valid_numbers(pt::Bvh{{{{{0, 0, nan}, {}}, 0, 0, 0, 1}}, {0}}));
+  const double inf = pt::kInfinity;
+  EXPECT_EQ(bad(pt::Ray{{}, {0, 0, 1}, 0, inf}), "");
+  EXPECT_EQ(bad(std::optional<pt::SurfaceHit>()), "");
+  EXPECT_EQ(bad(std::optional<pt::Interval>({0, inf})), "");
+  EXPECT_EQ(bad(pt::BsdfSample{{0, 0, 1}, {1, 1, 1}, 1}), "");
+}
+
+TEST(remote, a_number_that_is_not_allowed_is_named) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = pt::kInfinity;
+  EXPECT_EQ(bad(nan), " nan");
+  EXPECT_EQ(bad(pt::Rgb{1, nan, 1}), "g nan");
+  EXPECT_EQ(bad(pt::BsdfSample{{nan, nan, nan}, {1, 1, 1}, 1}), "wi.x nan");
+  EXPECT_EQ(bad(pt::BsdfSample{{0, 0, 1}, {1, 1, inf}, 1}), "f.b inf");
+  EXPECT_EQ(bad(pt::BsdfSample{{0, 0, 1}, {1, 1, 1}, -inf}), "pdf -inf");
+  EXPECT_EQ(bad(std::optional<pt::SurfaceHit>({inf, {}})), "t inf");
+  EXPECT_EQ(bad(std::optional<pt::Hit>({1, {0, 0, nan}, 2})), "n.z nan");
+  EXPECT_EQ(bad(std::optional<pt::Interval>({0, nan})), "max nan");
+  EXPECT_EQ(bad(std::optional<pt::Interval>({nan, inf})), "min nan");
+  EXPECT_EQ(bad(pt::Ray{{0, inf, 0}, {0, 0, 1}, 0, 1}), "origin.y inf");
+  EXPECT_EQ(bad(pt::Ray{{}, {0, nan, 1}, 0, 1}), "direction.y nan");
+  EXPECT_EQ(bad(pt::Ray{{}, {0, 0, 1}, nan, 1}), "t_min nan");
+  EXPECT_EQ(bad(pt::Ray{{}, {0, 0, 1}, 0, nan}), "t_max nan");
+  EXPECT_EQ(bad(pt::PixelEstimate{{1, 1, nan}, 8}), "mean.b nan");
+  const pt::BvhNode node{{{0, 0, 0}, {}}, 0, 0, 0, 1}, broken{{{0, 0, nan}, {}}, 0, 0, 0, 1};
+  EXPECT_EQ(bad(pt::Bvh{{node, broken}, {0}}), "nodes[1].box.min.z nan");
+  EXPECT_EQ(bad(std::vector<pt::Vec3>{{}, {0, 0, nan}}), "[1].z nan");
 }
 
 bool is_bounded(const pt::Bvh& bvh, std::size_t boxes) {
