@@ -41,8 +41,11 @@ FileCamera read_perspective(const Document& document, const XMLElement& perspect
   FileCamera camera;
   const std::optional<double> x = optional_fov(document, perspective, "xfov");
   const std::optional<double> y = optional_fov(document, perspective, "yfov");
-  const double aspect = child_number(document, perspective, "aspect_ratio").value_or(4.0 / 3);
-  if (!(aspect > 0)) document.fail(perspective, "aspect_ratio must be above 0; correct it");
+  double aspect = child_number(document, perspective, "aspect_ratio").value_or(4.0 / 3);
+  if (!(aspect > 0)) {
+    document.note("a camera has an aspect_ratio of " + shown(aspect) + ": 4:3 is taken.");
+    aspect = 4.0 / 3;
+  }
   if (!x && !y) document.fail(perspective, "<perspective> has no xfov; add it, in degrees");
   camera.hfov_deg = x ? *x : fov_from(half_tangent(*y) * aspect);
   camera.vfov_deg = y ? *y : fov_from(half_tangent(*x) / aspect);
@@ -53,7 +56,10 @@ FileCamera read_perspective(const Document& document, const XMLElement& perspect
   camera.near_clip = child_number(document, perspective, "znear").value_or(0);
   camera.far_clip = child_number(document, perspective, "zfar").value_or(kInfinity);
   if (!(camera.near_clip >= 0 && camera.near_clip < camera.far_clip)) {
-    document.fail(perspective, "znear and zfar must satisfy 0 <= znear < zfar; correct them");
+    document.note(
+        "a camera has znear and zfar that do not satisfy 0 <= znear < zfar: it clips nothing.");
+    camera.near_clip = 0;
+    camera.far_clip = kInfinity;
   }
   return camera;
 }

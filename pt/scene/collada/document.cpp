@@ -57,6 +57,27 @@ std::pair<std::string, double> stated_axis_and_unit(const XMLElement* asset) {
   return {std::string(axis.empty() ? "Y_UP" : axis), unit ? unit->DoubleAttribute("meter", 1) : 1};
 }
 
+const char* what_is_wrong(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "an element is not closed, or closed by another name";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "a tag is not complete";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute is not written as name=\"value\", or stands twice in its tag";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "a comment is not closed by -->";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "a CDATA section is not closed by ]]>";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "a <?...?> stands between elements, or is not closed";
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "there are no elements";
+    default:
+      return "text stands where a tag must be, or a tag is not closed";
+  }
+}
+
 std::string_view trimmed(const char* value) {
   constexpr const char* kSpace = " \t\r\n";
   const std::string_view text = value ? value : "";
@@ -91,8 +112,8 @@ void Document::parse(const std::string& text) {
     throw Error(where + "elements are nested more than " +
                 std::to_string(TINYXML2_MAX_ELEMENT_DEPTH) + " deep; flatten the scene");
   }
-  throw Error(where + "the XML cannot be read (" + tinyxml2::XMLDocument::ErrorIDToName(error) +
-              "); correct it there, or copy the file again if it was cut off");
+  throw Error(where + "the XML cannot be read: " + what_is_wrong(error) +
+              "; correct it there, or copy the file again if it was cut off");
 }
 
 void Document::index(XMLElement& element) {

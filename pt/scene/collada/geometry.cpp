@@ -4,7 +4,9 @@
 #include "pt/scene/collada/numbers.h"
 #include "pt/scene/collada/triangulate.h"
 
+#include <numeric>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,8 @@ namespace {
 struct Faces {
   std::vector<int> corners;
   std::vector<int> indices;
+  // Of the faces with holes: the corners of the outline, then of each hole.
+  std::unordered_map<std::size_t, std::vector<int>> rings{};
 };
 
 void check_face_count(const Document& document, const XMLElement& set, std::size_t faces_found) {
@@ -42,20 +46,30 @@ Faces read_one_list(const Document& document, const XMLElement& set, int stride)
   return faces;
 }
 
-// The corners of each <p>, one after the other: a face, a strip or a fan.
-Faces read_lists(const Document& document, const XMLElement& set, int stride) {
-  if (const XMLElement* holed = set.FirstChildElement("ph")) {
-    document.fail(*holed, "a face with holes (<ph>) cannot be read; triangulate the mesh");
+// Appends the indices of a <p> or an <h>, and returns the number of its corners.
+int append_corners(const Document& document, const XMLElement& list, int stride, Faces& faces) {
+  const std::vector<int> indices = read_integers(document, list);
+  if (indices.size() % static_cast<std::size_t>(stride) != 0) {
+    document.fail(list, tag(list) + " ends in the middle of a corner; write " +
+                            std::to_string(stride) + " indices per corner");
   }
+  faces.indices.insert(faces.indices.end(), indices.begin(), indices.end());
+  return static_cast<int>(indices.size()) / stride;
+}
+
+// The corners of each <p>, one after the other: a face, a strip or a fan. A <ph> is a face with holes: a <p> and an <h> for each.
+Faces read_lists(const Document& document, const XMLElement& set, int stride) {
   Faces lists;
-  for (const XMLElement* p : children(set, "p")) {
-    const std::vector<int> indices = read_integers(document, *p);
-    if (indices.size() % static_cast<std::size_t>(stride) != 0) {
-      document.fail(*p, "<p> ends in the middle of a corner; write " + std::to_string(stride) +
-                            " indices per corner");
+  for (const XMLElement* face : children(set)) {
+    const std::string_view kind = face->Name();
+    if (kind == "p") lists.corners.push_back(append_corners(document, *face, stride, lists));
+    if (kind != "ph") continue;
+    std::vector<int> rings{append_corners(document, document.child(*face, "p"), stride, lists)};
+    for (const XMLElement* hole : children(*face, "h")) {
+      rings.push_back(append_corners(document, *hole, stride, lists));
     }
-    lists.corners.push_back(static_cast<int>(indices.size()) / stride);
-    lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
+    lists.corners.push_back(std::accumulate(rings.begin(), rings.end(), 0));
+    lists.rings.emplace(lists.corners.size() - 1, std::move(rings));
   }
   return lists;
 }
@@ -158,7 +172,8 @@ void read_set(const Document& document, const XMLElement& set, const std::string
   std::vector<Corner> face;
   std::vector<Vec3> points;
   const int* indices = faces.indices.data();
-  for (const int corners : faces.corners) {
+  for (std::size_t which = 0; which < faces.corners.size(); ++which) {
+    const int corners = faces.corners[which];
     face.clear();
     points.clear();
     for (int i = 0; i < corners; ++i, indices += stride) {
@@ -166,7 +181,10 @@ void read_set(const Document& document, const XMLElement& set, const std::string
       face.push_back(part.inputs.corner(document, set, indices));
       points.push_back((*part.inputs.positions)[face.back().position]);
     }
-    const Triangulation cut = triangulate(points);
+    const auto rings = faces.rings.find(which);
+    const Triangulation cut = rings == faces.rings.end() || corners < 3
+                                  ? triangulate(points)
+                                  : triangulate_with_holes(points, rings->second);
     for (const int corner : cut.corners) part.corners.push_back(face[corner]);
     without_surface += corners < 3 ? 1 : 0;
     crossing += cut.crosses ? 1 : 0;
@@ -174,8 +192,8 @@ void read_set(const Document& document, const XMLElement& set, const std::string
   note_count(document, set, name, without_surface,
              "of fewer than three corners, which are left out");
   note_count(document, set, name, crossing,
-             "that cross themselves, or are far from flat: each is shown as a fan around its first "
-             "corner");
+             "that cross themselves or a hole, or are far from flat: each is shown as a fan around "
+             "its first corner, or without its holes");
   if (part.size() > 0) geometry.parts.push_back(std::move(part));
 }
 

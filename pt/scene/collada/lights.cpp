@@ -65,9 +65,12 @@ struct LightText {
 // From the course's technique, else from technique_common.
 LightText read_text(const Document& document, const XMLElement& light) {
   const XMLElement* course = course_child(light);
-  const XMLElement* found =
-      course ? course : document.child(light, "technique_common").FirstChildElement();
-  if (found == nullptr) document.fail(light, "light " + label(light) + " has no kind; write one");
+  const XMLElement* common = light.FirstChildElement("technique_common");
+  const XMLElement* found = course || !common ? course : common->FirstChildElement();
+  if (found == nullptr) {
+    document.note("light " + label(light) + " has no kind in its technique_common.");
+    return {};
+  }
   const std::string_view kind = found->Name();
   if (kind == "spot") return {kind, {}};
   if (kind != "area" && kind != "point" && kind != "directional" && kind != "ambient") {

@@ -45,7 +45,11 @@ Transform read_rotate(const Document& document, const XMLElement& rotate) {
   const Vec3 axis{r[0], r[1], r[2]};
   const double squared = length_squared(axis);
   if (!std::isnormal(squared)) {
-    document.fail(rotate, "<rotate> has an axis without a direction; write one of length 1");
+    if (r[3] != 0) {
+      document.note("a <rotate> has an axis without a direction (" + line(rotate) +
+                    "): it turns nothing.");
+    }
+    return {};
   }
   const Vec3 k = axis / std::sqrt(squared);
   const double angle = r[3] * (kPi / 180);

@@ -18,4 +18,9 @@ struct Triangulation {
 // crosses itself is a fan too.
 Triangulation triangulate(std::span<const Vec3> face);
 
+// The same for a face with holes: rings[0] corners of the outline, then rings[i] of each hole, which
+// may run either way. A bridge joins each hole to what is around it. If a hole is not inside, or
+// the holes are too many, the face crosses, and is shown without holes.
+Triangulation triangulate_with_holes(std::span<const Vec3> corners, std::span<const int> rings);
+
 }  // namespace pt

@@ -53,6 +53,30 @@ TEST(FileCamera, states_its_fields_of_view_in_four_ways) {
   EXPECT_EQ(fields("<xfov>70</xfov><yfov>20</yfov><aspect_ratio>9</aspect_ratio>").y, 20);
 }
 
+// SketchUp writes an aspect_ratio of 0.
+TEST(FileCamera, that_states_what_cannot_be_keeps_the_rest) {
+  const auto camera = [](const std::string& perspective) {
+    return load_with_camera("<camera id=\"cam\"><optics><technique_common><perspective>" +
+                                perspective + "</perspective></technique_common></optics></camera>",
+                            node("<instance_camera url=\"#cam\"/>"));
+  };
+  for (const char* aspect : {"0", "-1"}) {
+    const std::string ratio = std::string("<aspect_ratio>") + aspect + "</aspect_ratio>";
+    LoadedScene loaded = camera("<xfov>90</xfov>" + ratio);
+    EXPECT_NEAR(loaded.camera.value().vfov_deg, 2 * std::atan(0.75) * 180 / kPi, 1e-12);
+    EXPECT_TRUE(has_note(loaded, "4:3 is taken"));
+    loaded = camera("<xfov>90</xfov><yfov>10</yfov>" + ratio);
+    EXPECT_EQ(loaded.camera.value().vfov_deg, 10);
+  }
+  for (const char* clips : {"<znear>2</znear><zfar>1</zfar>", "<znear>0</znear><zfar>0</zfar>",
+                            "<znear>-1</znear><zfar>5</zfar>"}) {
+    const LoadedScene loaded = camera(std::string("<xfov>90</xfov>") + clips);
+    EXPECT_EQ(loaded.camera.value().near_clip, 0) << clips;
+    EXPECT_EQ(loaded.camera.value().far_clip, kInfinity) << clips;
+    EXPECT_TRUE(has_note(loaded, "it clips nothing")) << clips;
+  }
+}
+
 TEST(FileCamera, is_the_last_one) {
   const std::string use = "<instance_camera url=\"#cam\"/>";
   const LoadedScene loaded =

@@ -51,7 +51,7 @@ TEST(BadFiles, of_any_size_are_refused_at_once) {
   std::string garbage(100 << 20, 'x');
   expect_error(garbage, "not a COLLADA file");
   garbage.replace(0, 9, "<COLLADA>");
-  expect_error(garbage, "cannot be read (XML_");
+  expect_error(garbage, "cannot be read: ");
   std::string tags = "<COLLADA>";
   for (int i = 0; i < 2'000'001; ++i) tags += "<a/>";
   expect_error(tags + "</COLLADA>", "two million");
@@ -85,8 +85,9 @@ TEST(BadFiles, with_too_many_attributes_in_a_tag_are_refused_at_once) {
 
 TEST(BadXml, is_named_with_its_line) {
   const std::string good = triangle_of("<p>0 1 2</p>").str();
-  expect_error(good.substr(0, good.size() / 2), "cannot be read (XML_");
-  expect_error("<COLLADA>\n\n<a>\n</b></COLLADA>", ":3: the XML cannot be read (XML_");
+  expect_error(good.substr(0, good.size() / 2), "cannot be read: ");
+  expect_error("<COLLADA>\n\n<a>\n</b></COLLADA>",
+               ":3: the XML cannot be read: an element is not closed, or closed by another name; ");
   std::string deep = "<COLLADA>";
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
   expect_error(deep, "nested more than 100 deep");
@@ -104,7 +105,6 @@ TEST(BadNumbers, are_named) {
   expect_error(with_node("<scale>1 1</scale>"), "holds 2 numbers; write 3");
   expect_error(with_node("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0</matrix>"), "holds 15 numbers");
   expect_error(with_node("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1</matrix>"), "last row");
-  expect_error(with_node("<rotate>0 0 0 90</rotate>"), "axis without a direction");
   expect_error(with_node("<scale>1e20 1 1</scale><scale>1e20 1 1</scale>"), "beyond 1e30");
 }
 
@@ -131,7 +131,7 @@ TEST(BadMeshes, are_named) {
   expect_error(polylist("2", "0 1"), "no surface");
   expect_error(polylist("-3", "0 1 2"), "a face has -3 corners");
   text.geometries = mesh("g", "0 0 0", 3, "polygons", "", "<ph/>");
-  expect_error(text, "holes");
+  expect_error(text, "<ph> has no <p>");
   text.geometries = mesh("g", "0 0 0 1 0 0 2 0 0", 9, "triangles", "", "<p>0 1 2</p>");
   expect_error(text, "no surface");
   text.geometries = mesh("g", "0 0 0", 3, "triangles", "count=\"-1\"", "<p>0 0 0</p>");
@@ -211,8 +211,6 @@ TEST(BadCamerasAndLights, are_named) {
   expect_error(camera(""), "has no xfov");
   expect_error(camera("<xfov>180</xfov>"), "between 0 and 180");
   expect_error(camera("<xfov>nan</xfov>"), "is not a finite number");
-  expect_error(camera("<xfov>50</xfov><aspect_ratio>0</aspect_ratio>"), "aspect_ratio");
-  expect_error(camera("<xfov>50</xfov><znear>2</znear><zfar>1</zfar>"), "znear");
   SceneText flat = camera("<xfov>50</xfov>");
   flat.nodes += node("<scale>1 1 0</scale><instance_camera url=\"#cam\"/>");
   expect_error(flat, "looks nowhere");
@@ -222,7 +220,6 @@ TEST(BadCamerasAndLights, are_named) {
     text.lights = "<light id=\"l\"><technique_common>" + content + "</technique_common></light>";
     return text;
   };
-  expect_error(light(""), "has no kind");
   expect_error(light("<glow><color>1 1 1</color></glow>"), "not a kind of light");
   expect_error(light("<point/>"), "has no <color>");
   expect_error(light("<point><color>1 1</color></point>"), "red, green and blue");

@@ -1,5 +1,6 @@
 // Faces of more than three corners: each covers what its outline encloses, whatever its shape.
 #include "collada_text.h"
+#include "pt/error.h"
 #include "pt/sampling/sampler.h"
 #include "pt/scene/collada/triangulate.h"
 
@@ -66,6 +67,60 @@ TEST(Faces, that_reach_a_hole_over_a_bridge_leave_it_open) {
   const Points frame{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                      {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   expect_covered_from_everywhere(frame, 12);
+}
+
+// The triangles face +z, and their areas sum up to `area`: none overlaps another or lies in a hole.
+void expect_covered_but_holes(const Points& corners, const std::vector<int>& rings, double area) {
+  const Triangulation cut = triangulate_with_holes(corners, rings);
+  EXPECT_FALSE(cut.crosses);
+  double sum = 0;
+  for (std::size_t i = 0; i < cut.corners.size(); i += 3) {
+    EXPECT_GE(doubled_area(corners, cut, i), -1e-12) << i;
+    sum += doubled_area(corners, cut, i) / 2;
+  }
+  EXPECT_NEAR(sum, area, 1e-9 * area);
+}
+
+TEST(Faces, with_a_hole_leave_it_open_whichever_way_it_runs) {
+  Points frame{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0},
+               {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}};
+  for (int turn = 0; turn < 4; ++turn) {
+    std::rotate(frame.begin(), frame.begin() + 1, frame.begin() + 4);
+    expect_covered_but_holes(frame, {4, 4}, 12);
+    std::reverse(frame.begin() + 4, frame.end());
+    expect_covered_but_holes(frame, {4, 4}, 12);
+  }
+  // A hole that is not inside.
+  for (Vec3& p : frame) p.x += &p >= &frame[4] ? 9 : 0;
+  EXPECT_TRUE(triangulate_with_holes(frame, std::vector<int>{4, 4}).crosses);
+  EXPECT_EQ(triangulate_with_holes(frame, std::vector<int>{4, 4}).corners.size(), 6u);
+}
+
+// Stars in the cells of a grid, some of them in line, around them a star that holds the grid.
+TEST(Faces, with_many_holes_of_any_shape_leave_all_open) {
+  Sampler sampler(69);
+  for (int k = 0; k < 200; ++k) {
+    Points corners;
+    std::vector<int> rings;
+    double area = 0;
+    const auto add_star = [&](Vec3 center, double least, double most) {
+      const int n = 3 + static_cast<int>(sampler.next_1d() * 9);
+      Points star;
+      for (int i = 0; i < n; ++i) {
+        const double angle = 2 * kPi * i / n, radius = least + sampler.next_1d() * (most - least);
+        star.push_back(center + Vec3{radius * std::cos(angle), radius * std::sin(angle), 0});
+      }
+      area += rings.empty() ? area_of(star) : -area_of(star);
+      if (sampler.next_1d() < .5 && !rings.empty()) std::reverse(star.begin(), star.end());
+      corners.insert(corners.end(), star.begin(), star.end());
+      rings.push_back(n);
+    };
+    add_star({1.5, 1.5, 0}, 8, 20);
+    for (int i = 0; i < 16; ++i) {
+      if (sampler.next_1d() < .6) add_star({double(i % 4), double(i / 4), 0}, .05, .45);
+    }
+    expect_covered_but_holes(corners, rings, area);
+  }
 }
 
 // The angle grows from corner to corner, and the radius is any.
@@ -139,6 +194,28 @@ TEST(Faces, keep_their_side_and_their_normals_in_a_file) {
   text.geometries = mesh("l", "0 0 0 1 1 0 1 0 0 0 1 0", 12, "polylist", "",
                          "<vcount>4 4</vcount><p>0 1 2 3 0 1 2 3</p>");
   EXPECT_TRUE(has_note(load(text), "geometry 'l' has 2 faces that cross themselves"));
+}
+
+// A frame of 4 x 4 around a hole of 2 x 2, between two triangles.
+TEST(Faces, with_a_hole_are_read_from_a_file) {
+  const std::string corners = "0 0 0 4 0 0 4 4 0 0 4 0 1 1 0 1 3 0 3 3 0 3 1 0";
+  const auto areas = [&](const std::string& faces) {
+    SceneText text;
+    text.geometries = mesh("f", corners, 24, "polygons", "count=\"3\"", faces);
+    text.nodes = node(instance("f"));
+    const LoadedScene loaded = load(text);
+    double area = 0;
+    for (const Triangle& t : loaded.scene.primitives.triangles) area += geometric_normal(t).z / 2;
+    return std::pair(area, has_note(loaded, "or without its holes"));
+  };
+  EXPECT_EQ(areas("<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5 6 7</h></ph><p>0 2 3</p>"),
+            std::pair(8. + 12 + 8, false));
+  // Two corners are no hole. One that reaches out of its outline is named.
+  EXPECT_EQ(areas("<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5</h></ph><p>0 2 3</p>"),
+            std::pair(8. + 16 + 8, false));
+  EXPECT_EQ(areas("<p>0 1 2</p><ph><p>4 7 6 5</p><h>0 1 2</h></ph><p>0 2 3</p>"),
+            std::pair(8. + 4 + 8, true));
+  EXPECT_THROW(areas("<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5 60</h></ph><p>0 2 3</p>"), Error);
 }
 
 LoadedScene load_set(const std::string& kind, const std::string& count, const std::string& lists) {

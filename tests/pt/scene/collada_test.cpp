@@ -38,6 +38,16 @@ TEST(Transforms, act_in_document_order_the_last_listed_first) {
   expect_near(t.p2, {-1, 2, 3});
 }
 
+// 3ds Max writes 0 0 0 0.
+TEST(Transforms, about_no_axis_turn_nothing) {
+  for (const char* rotate : {"0 0 0 0", "0 0 0 90"}) {
+    const LoadedScene loaded =
+        load_one("<translate>1 2 3</translate><rotate>" + std::string(rotate) + "</rotate>");
+    expect_near(only_triangle(loaded).p1, {2, 2, 3});
+    EXPECT_EQ(has_note(loaded, "turns nothing"), std::string(rotate) == "0 0 0 90");
+  }
+}
+
 TEST(Transforms, matrices_are_row_major) {
   const Triangle t =
       only_triangle(load_one("<matrix>0 -1 0 10 1 0 0 20 0 0 1 30 0 0 0 1</matrix>"));
