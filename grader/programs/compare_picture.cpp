@@ -88,11 +88,11 @@ int compare_picture(const Words& words, const pt::RenderOptions& options) {
   pt::choose_engine(loaded.scene, pt::Engine::wide, options.max_leaf);
   const int width = words.has_size ? options.width : picture.linear.width;
   const int height = words.has_size ? options.height : picture.linear.height;
-  pictures::SingleQuestion question{
-      {loaded.scene, pt::frame_camera(loaded, options.framing, width, height),
-       path_settings(options), width, height},
-      options.samples,
-      options.threads};
+  const pt::Camera camera = pt::frame_camera(loaded, options.framing, width, height);
+  add_camera_light(loaded, camera);
+  pictures::SingleQuestion question{{loaded.scene, camera, path_settings(options), width, height},
+                                    options.samples,
+                                    options.threads};
   if (words.has_exposure) question.exposures = {options.exposure};
   question.seed = 1 + options.seed;
   const SingleVerdict verdict = pictures::judge_single(picture, question);

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,7 +41,7 @@ struct Options {
   std::vector<int> size{96, 72};
   int depth = 5;
   pt::Framing framing = pt::Framing::file;
-  bool course_light = false;
+  pt::LightChoice light = pt::LightChoice::file;
   std::optional<pt::SceneFormat> format;  // of {scene}; nothing: the COLLADA file
   std::string isolation;
   report::ReportFiles files;
@@ -57,7 +58,7 @@ pictures::Recipe recipe_of(const fs::path& scene, const Options& options) {
                              options.size[1], options.depth);
   recipe.scene = scene;
   recipe.framing = options.framing;
-  recipe.load.course_light = options.course_light;
+  recipe.load.light = options.light;
   recipe.width = options.size[0];
   recipe.height = options.size[1];
   recipe.settings.to = options.depth;
@@ -91,10 +92,14 @@ bool is_black(const pt::Film& film) {
   return std::ranges::all_of(film.pixels, [](const auto& pixel) { return is_black(pixel.mean); });
 }
 
-// The file that the renderer reads.
+// The file that the renderer reads. A sky that is not in the COLLADA file is in the others.
 fs::path scene_for(const pictures::Recipe& recipe, const Options& options) {
-  if (!options.format) return recipe.scene;
   const pt::LoadedScene loaded = pt::load_collada(recipe.scene);
+  if (!options.format && !loaded.has_own_light) {
+    throw pt::Error(recipe.scene.string() +
+                    ": the file has no light; add one, or give --as, whose files have a sky");
+  }
+  if (!options.format) return recipe.scene;
   const fs::path folder = options.work / (recipe.name + "_scene");
   fs::create_directories(folder);
   return pt::export_scene(
@@ -257,8 +262,10 @@ int main(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(pt::kFramingWords).description(""))
       ->type_name("course|fit|file")
       ->default_str("file");
-  app.add_option("--light", options.course_light, pt::kCourseLightHelp)
-      ->transform(CLI::CheckedTransformer(pt::kCourseLightWords).description(""))
+  const std::map<std::string, pt::LightChoice> lights{{"file", pt::LightChoice::file},
+                                                      {"course", pt::LightChoice::course}};
+  app.add_option("--light", options.light, pt::kCourseLightHelp)
+      ->transform(CLI::CheckedTransformer(lights).description(""))
       ->type_name("file|course")
       ->default_str("file");
   app.add_option("--as", options.format,

@@ -2,7 +2,6 @@
 #include "measure/renders/rows.h"
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
-#include "pt/render/darkness.h"
 #include "pt/scene/frame_camera.h"
 #include "pt/scene/load_collada.h"
 
@@ -58,7 +57,7 @@ std::vector<std::string> missing_tasks(const Spec& spec, pt::Engine engine) {
 void make_band(const std::string& spec_file, const Band& band) {
   const Spec spec = read_spec(spec_file);
   pt::LoadedScene loaded = pt::load_collada(spec.scene);
-  if (!spec.path.show_normals) require_light(loaded, spec.scene);
+  if (!spec.path.show_normals) require_supported(loaded, spec.scene);
   const pt::View view{loaded.scene,
                       frame_camera(loaded, spec.framing, spec.frame_width, spec.frame_height),
                       spec.path, spec.width, spec.height};

@@ -4,7 +4,6 @@
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
-#include "pt/render/darkness.h"
 #include "pt/render/options.h"
 #include "pt/todo_list.h"
 
@@ -186,7 +185,7 @@ Options parse_ladder(int argc, const char* const* argv) {
 
 pt::LoadedScene load_scene(const Options& options) {
   pt::LoadedScene loaded = pt::load_collada(options.scene, {options.lambertian});
-  require_light(loaded, options.scene);
+  require_supported(loaded, options.scene);
   if (!options.out.empty()) std::filesystem::create_directories(options.out);
   pt::silence_todo();
   choose_engine(loaded.scene, options.engine, kMaxLeaf);

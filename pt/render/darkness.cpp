@@ -1,10 +1,9 @@
 #include "pt/render/darkness.h"
 
-#include "pt/error.h"
 #include "pt/geometry/spawn_ray.h"
 #include "pt/image/tone_map.h"
 #include "pt/render/choose_engine.h"
-#include "pt/scene/field_of_view.h"
+#include "pt/scene/frame_camera.h"
 #include "pt/todo_list.h"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace {
 
 constexpr int kVisible = 26;  // of 255: a picture that is darker everywhere looks black
 
-// The surfaces that a grid of rays meets, each ray the nearest.
+// The surfaces that a grid of rays meets, each ray the nearest. The tasks may be a learner's, so that no task is called here.
 struct Reach {
   double nearest = kInfinity;  // as if nothing were clipped
   double farthest = 0;
@@ -26,14 +25,6 @@ struct Reach {
   bool is_coloured = false;  // of those that it shows, some are not black
   bool is_lit = false;       // some send light to the camera by the bounces 0 and 1 that are shown
 };
-
-// The tasks may be a learner's, so that no task is called here.
-Ray ray_through(const Camera& camera, double x, double y) {
-  const Vec3 on_window{(2 * x - 1) * half_tangent(camera.hfov_deg),
-                       (2 * y - 1) * half_tangent(camera.vfov_deg), -1};
-  return {camera.position, normalize(camera.camera_to_world.to_world(on_window)), camera.near_clip,
-          camera.far_clip};
-}
 
 // Takes one sample of each light.
 bool is_lit(const View& view, const Tracer& tracer, const SurfacePoint& point, Sampler& sampler) {
@@ -55,7 +46,8 @@ Reach reach_of_view(const View& view, const Tracer& tracer) {
   Sampler sampler(1);
   Reach reach;
   for (int i = 0; i < kRays * kRays; ++i) {
-    const Ray seen = ray_through(view.camera, (i % kRays + 0.5) / kRays, (i / kRays + 0.5) / kRays);
+    const Ray seen =
+        look_through(view.camera, (i % kRays + 0.5) / kRays, (i / kRays + 0.5) / kRays);
     Ray ray = seen;
     ray.t_min = 0;
     ray.t_max = kInfinity;
@@ -77,7 +69,7 @@ Reach reach_of_view(const View& view, const Tracer& tracer) {
 bool is_met_by_a_pixel(const View& view, const Tracer& tracer) {
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
-      const Ray ray = ray_through(view.camera, (x + 0.5) / view.width, (y + 0.5) / view.height);
+      const Ray ray = look_through(view.camera, (x + 0.5) / view.width, (y + 0.5) / view.height);
       if (tracer.closest(view.scene.primitives, ray)) return true;
     }
   }
@@ -97,6 +89,13 @@ bool stands_in_a_lamp(const View& view) {
   return false;
 }
 
+bool has_lamp_of_faces(const Scene& scene) {
+  return std::ranges::any_of(scene.lights, [](const Light& light) {
+    return std::holds_alternative<RectangleLight>(light) ||
+           std::holds_alternative<MeshLight>(light);
+  });
+}
+
 // The tasks of this render that are stubs. Without the tree, its tasks take no part.
 std::vector<std::string> unwritten_here(Engine engine) {
   std::vector<std::string> tasks = todo_list();
@@ -108,20 +107,6 @@ std::vector<std::string> unwritten_here(Engine engine) {
 }
 
 }  // namespace
-
-std::string no_light(const LoadedScene& loaded) {
-  if (!loaded.scene.lights.empty()) return "";
-  return std::string("the scene has no light") +
-         (loaded.ignores_emission ? ": emission colours in profile_COMMON are ignored" : "");
-}
-
-void require_light(const LoadedScene& loaded, const std::filesystem::path& file) {
-  require_supported(loaded, file);
-  if (const std::string what = no_light(loaded); !what.empty()) {
-    throw Error(file.string() + ": " + what +
-                "; add one, or give a surface the course's emission/radiance");
-  }
-}
 
 std::string note_on_darkness(const View& view, double brightest, double exposure) {
   if (encode(brightest, exposure) >= kVisible) return "";
@@ -170,9 +155,12 @@ std::string note_on_darkness(const View& view, double brightest, double exposure
            "a task is wrong; give more samples (-s) and leave out -H, and ./run grade finds the "
            "task";
   }
-  return "the picture is black: no light reaches the surfaces in view by the bounces that are "
-         "shown (-m, --show); a lamp shines only to the side from which its corners run "
-         "anticlockwise";
+  return std::string(
+             "the picture is black: no light reaches the surfaces in view by the bounces that are "
+             "shown (-m, --show); --light camera puts a lamp at the camera") +
+         (has_lamp_of_faces(view.scene) ? "; the file's lamps shine only to the side from which "
+                                          "their corners run anticlockwise"
+                                        : "");
 }
 
 }  // namespace pt

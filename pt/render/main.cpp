@@ -98,19 +98,13 @@ int run(int argc, const char* const* argv) {
   if (const std::string note = note_on_framing(loaded, options.framing); !note.empty()) {
     fmt::print(stderr, "{}\n", note);
   }
-  const bool shows_light = options.show != Show::normals;
-  if (shows_light) require_supported(loaded, options.scene);
-  if (shows_light && loaded.scene.lights.empty()) {
-    fmt::print(stderr, "the picture is black: {}; give {}--show normals to see its surfaces\n",
-               no_light(loaded),
-               loaded.ignores_emission ? "--common-emission to make them shine, or " : "");
-  }
+  if (options.show != Show::normals) require_supported(loaded, options.scene);
   silence_todo();
   choose_engine(loaded.scene, options.engine, options.max_leaf);
 
-  const View view{loaded.scene,
-                  frame_camera(loaded, options.framing, options.width, options.height),
-                  path_settings(options), options.width, options.height};
+  const Camera camera = frame_camera(loaded, options.framing, options.width, options.height);
+  add_camera_light(loaded, camera);
+  const View view{loaded.scene, camera, path_settings(options), options.width, options.height};
   const RenderSettings settings{options.samples, options.adaptive, options.seed, options.threads};
 
   std::signal(SIGINT, [](int) { interrupted = true; });
@@ -123,10 +117,8 @@ int run(int argc, const char* const* argv) {
     fmt::print(stderr, "interrupted: nothing was written\n");
     return kInterruptedExit;
   }
-  const bool may_be_lit = !shows_light || !loaded.scene.lights.empty();
   const std::string unwritten = unwritten_tasks(options, loaded.scene);
-  const std::string darkness =
-      may_be_lit ? note_on_darkness(view, brightest(result.film), options.exposure) : "";
+  const std::string darkness = note_on_darkness(view, brightest(result.film), options.exposure);
   if (!unwritten.empty()) fmt::print(stderr, "{}\n", unwritten);
   print_summary(result, options, loaded.scene);
   if (!darkness.empty()) fmt::print(stderr, "{}\n", darkness);

@@ -104,9 +104,13 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
   app.add_flag("--common-emission", options.load.common_emission,
                "Let surfaces emit the emission colour that exporters write (profile_COMMON)");
-  app.add_option("--light", options.load.course_light, kCourseLightHelp)
-      ->transform(CLI::CheckedTransformer(kCourseLightWords, CLI::ignore_case).description(""))
-      ->type_name("file|course")
+  app.add_option(
+         "--light", options.load.light,
+         std::string("file: the file's own lights, or a sky where it has none; sky: a white "
+                     "sky too; camera: a lamp at the camera too; ") +
+             kCourseLightHelp)
+      ->transform(CLI::CheckedTransformer(kLightWords, CLI::ignore_case).description(""))
+      ->type_name("file|sky|camera|course")
       ->default_str("file");
 }
 

@@ -52,6 +52,9 @@ inline const std::map<std::string, Framing> kFramingWords{
     {"course", Framing::course}, {"fit", Framing::fit}, {"file", Framing::file}};
 inline constexpr const char* kCourseLightHelp =
     "course: area lights as in CS184's skeleton, whose density lacks a factor of the distance";
-inline const std::map<std::string, bool> kCourseLightWords{{"file", false}, {"course", true}};
+inline const std::map<std::string, LightChoice> kLightWords{{"file", LightChoice::file},
+                                                            {"course", LightChoice::course},
+                                                            {"sky", LightChoice::sky},
+                                                            {"camera", LightChoice::camera}};
 
 }  // namespace pt

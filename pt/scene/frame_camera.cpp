@@ -1,10 +1,12 @@
 #include "pt/scene/frame_camera.h"
 
+#include "pt/accel/wide_bvh.h"
 #include "pt/scene/field_of_view.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 namespace pt {
 
@@ -58,10 +60,61 @@ Frame upright_frame(Vec3 z, const FileCamera& camera) {
   return {x, cross(z, x), z};
 }
 
+// Files outside the course's dialect have no other rule.
+bool is_framed_as_file(const LoadedScene& loaded, Framing framing) {
+  return framing == Framing::file || (framing == Framing::course && !loaded.is_course);
+}
+
+// The camera as the file has it.
+Camera own_view(const FileCamera& from) {
+  return {from.position, from.camera_to_world, from.hfov_deg,
+          from.vfov_deg, from.near_clip,       from.far_clip};
+}
+
+// The distances of the surfaces that a grid of rays meets between the camera's clips.
+std::vector<double> distances_seen(const Camera& camera, const Primitives& primitives) {
+  constexpr int kRays = 64;
+  const WideBvh tree = WideBvh::build(primitives);
+  std::vector<double> distances;
+  for (int i = 0; i < kRays * kRays; ++i) {
+    const Ray ray = look_through(camera, (i % kRays + 0.5) / kRays, (i / kRays + 0.5) / kRays);
+    if (const std::optional<Hit> hit = tree.closest(primitives, ray)) distances.push_back(hit->t);
+  }
+  return distances;
+}
+
 }  // namespace
 
+Ray look_through(const Camera& camera, double x, double y) {
+  const Vec3 on_window{(2 * x - 1) * half_tangent(camera.hfov_deg),
+                       (2 * y - 1) * half_tangent(camera.vfov_deg), -1};
+  return {camera.position, normalize(camera.camera_to_world.to_world(on_window)), camera.near_clip,
+          camera.far_clip};
+}
+
+bool sees_surfaces(const FileCamera& camera, const Primitives& primitives) {
+  return !distances_seen(own_view(camera), primitives).empty();
+}
+
+void add_camera_light(LoadedScene& loaded, const Camera& camera) {
+  if (loaded.light != LightChoice::camera) return;
+  const Primitives& primitives = loaded.scene.primitives;
+  std::vector<double> seen = distances_seen(camera, primitives);
+  if (seen.empty()) seen.push_back(length(camera.position - bounds(primitives).center()));
+  const auto middle = seen.begin() + std::ssize(seen) / 2;
+  std::nth_element(seen.begin(), middle, seen.end());
+  const double intensity = kPi * *middle * *middle;
+  loaded.scene.lights.push_back(PointLight{camera.position, {intensity, intensity, intensity}});
+}
+
 std::string note_on_framing(const LoadedScene& loaded, Framing framing) {
-  if (framing != Framing::course || !loaded.camera) return "";
+  if (!loaded.camera) return "";
+  if (is_framed_as_file(loaded, framing) && !loaded.camera->sees_surfaces) {
+    return "the file's camera sees no surface from where it stands, or clips all of them: the "
+           "scene "
+           "is framed as by --camera fit.";
+  }
+  if (framing != Framing::course) return "";
   if (!loaded.is_course) {
     return "the file is not in the course's dialect: --camera course takes the file's own camera; "
            "give --camera fit to see the whole scene.";
@@ -77,23 +130,19 @@ Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int h
   const FileCamera from = loaded.camera.value_or(default_camera(loaded.front));
   if (!loaded.camera) {
     framing = Framing::fit;
-  } else if (framing == Framing::course && !loaded.is_course) {
-    framing = Framing::file;
+  } else if (is_framed_as_file(loaded, framing)) {
+    framing = from.sees_surfaces ? Framing::file : Framing::fit;
   }
 
   const Window window = framing == Framing::course
                             ? course_window(from, width, height)
                             : widen(file_window(from), static_cast<double>(width) / height);
-  Camera camera;
+  Camera camera = own_view(from);
   camera.hfov_deg = fov_from(window.x);
   camera.vfov_deg = fov_from(window.y);
-  if (framing == Framing::file) {
-    camera.position = from.position;
-    camera.camera_to_world = from.camera_to_world;
-    camera.near_clip = from.near_clip;
-    camera.far_clip = from.far_clip;
-    return camera;
-  }
+  if (framing == Framing::file) return camera;
+  camera.near_clip = 0;
+  camera.far_clip = kInfinity;
   const Box box = bounds(loaded.scene.primitives);
   camera.camera_to_world = upright_frame(towards_eye(loaded, from, framing), from);
   camera.position = box.center() + 1.5 * length(box.extent()) * camera.camera_to_world.z;

@@ -7,6 +7,7 @@
 #include "pt/scene/collada/surfaces.h"
 #include "pt/scene/collada/transforms.h"
 #include "pt/scene/field_of_view.h"
+#include "pt/scene/frame_camera.h"
 
 #include <cassert>
 #include <cmath>
@@ -109,6 +110,29 @@ std::optional<FileCamera> read_camera(const Document& document,
   return last;
 }
 
+// The lights of the file, or a sky where it has none. A spot is left out where another light is asked for.
+void choose_lights(const Document& document, const LoadOptions& options, LoadedScene& loaded) {
+  std::vector<Light>& lights = loaded.scene.lights;
+  for (Light& light : lights) {
+    auto* area = std::get_if<RectangleLight>(&light);
+    if (area != nullptr) area->as_in_cs184 = options.light == LightChoice::course;
+  }
+  const bool one_more = options.light == LightChoice::sky || options.light == LightChoice::camera;
+  if (one_more) loaded.unsupported_lights.clear();
+  loaded.light = options.light;
+  loaded.has_own_light = !lights.empty() || !loaded.unsupported_lights.empty();
+  if (options.light == LightChoice::sky || (lights.empty() && !one_more)) {
+    lights.push_back(AmbientLight{{1, 1, 1}});
+  }
+  if (loaded.has_own_light || one_more) return;
+  document.note(std::string("the file has no light") +
+                (loaded.ignores_emission
+                     ? " (emission colours in profile_COMMON are ignored; --common-emission makes "
+                       "them shine)"
+                     : "") +
+                ": a white sky lights it from above; --light camera puts a lamp at the camera.");
+}
+
 // Notes are of one kind if they differ in names and numbers alone.
 std::string kind_of(const std::string& note) {
   std::string kind;
@@ -173,13 +197,12 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   if (primitives.size() == 0) fail_without_surface(document, notes);
   LightNodes nodes = read_lights(document, instances.lights, bounds(primitives));
   loaded.scene.lights = merge_lights(document, surfaces.emitters, nodes.nodes);
-  for (Light& light : loaded.scene.lights) {
-    if (auto* area = std::get_if<RectangleLight>(&light)) area->as_in_cs184 = options.course_light;
-  }
-  document.note_on_the_whole();
-  loaded.notes = once_per_kind(notes);
   loaded.unsupported_lights = std::move(nodes.unsupported);
   loaded.ignores_emission = surfaces.ignores_emission;
+  choose_lights(document, options, loaded);
+  if (loaded.camera) loaded.camera->sees_surfaces = sees_surfaces(*loaded.camera, primitives);
+  document.note_on_the_whole();
+  loaded.notes = once_per_kind(notes);
   assert(std::ssize(loaded.scene.material_of) == primitives.size());
   return loaded;
 }
@@ -194,7 +217,7 @@ void require_supported(const LoadedScene& loaded, const std::filesystem::path& f
   for (const std::string& light : loaded.unsupported_lights) {
     throw Error(file.string() + ": " + light +
                 " is a kind that light transport here does not model; make it a point or area "
-                "light, or give --show normals");
+                "light, or give --light sky to leave it out, or --show normals");
   }
 }
 

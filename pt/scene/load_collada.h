@@ -19,22 +19,30 @@ struct FileCamera {
   double vfov_deg = 38;
   double near_clip = 0;
   double far_clip = kInfinity;
+  bool sees_surfaces = true;  // between its clips, by a grid of rays through its whole field
 };
+
+// The light of a scene: the file's own (a sky where the file has none), the same with the density
+// of the course's skeleton for rectangles, or the file's and one more. The sky is white above the
+// horizon. The lamp at the camera is a point light, which add_camera_light adds.
+enum class LightChoice { file, course, sky, camera };
 
 struct LoadOptions {
   bool lambertian = false;  // treat materials outside the model as albedo 0.5, and say so in notes
   bool common_emission = false;  // let surfaces emit the emission colour of profile_COMMON
-  bool course_light = false;     // rectangles get the density of the course's skeleton
+  LightChoice light = LightChoice::file;
 };
 
 struct LoadedScene {
   Scene scene;  // complete except for the tracer, which is not built
   std::optional<FileCamera> camera;
-  bool exported = false;          // a program wrote the file, as its <authoring_tool> says
-  bool has_asset = false;         // the file has the <asset> that would say so
-  bool is_course = false;         // one of the course's files, or a file in its dialect
-  Vec3 front{0, 0, 1};            // towards somebody who stands in front of the scene
-  bool ignores_emission = false;  // a material has an emission colour in profile_COMMON
+  bool exported = false;                  // a program wrote the file, as its <authoring_tool> says
+  bool has_asset = false;                 // the file has the <asset> that would say so
+  bool is_course = false;                 // one of the course's files, or a file in its dialect
+  Vec3 front{0, 0, 1};                    // towards somebody who stands in front of the scene
+  bool ignores_emission = false;          // a material has an emission colour in profile_COMMON
+  bool has_own_light = true;              // else the file has no light, and a sky was added
+  LightChoice light = LightChoice::file;  // as it was loaded
   std::vector<std::string> unsupported_lights;  // "spot light 'Lamp'": lights outside the model
   std::vector<std::string> notes;  // a sentence per kind of correction or ignored thing
 };

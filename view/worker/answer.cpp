@@ -2,7 +2,6 @@
 
 #include "pt/error.h"
 #include "pt/render/choose_engine.h"
-#include "pt/render/darkness.h"
 #include "pt/tasks/camera_ray.h"
 #include "pt/todo_list.h"
 #include "view/worker/check.h"
@@ -63,7 +62,7 @@ void Answers::trace_with(const Settings& settings) {
 // Materials and lights outside the model can be shown by their normals alone.
 void Answers::require_light(const Settings& settings) const {
   if (settings.render.show == pt::Show::normals) return;
-  pt::require_light(loaded_, file_);
+  pt::require_supported(loaded_, file_);
 }
 
 Answer Answers::scene(const Query& query) {

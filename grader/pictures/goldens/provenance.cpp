@@ -5,6 +5,7 @@
 #include "pt/file.h"
 
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
@@ -30,6 +31,11 @@ const char* framing_name(pt::Framing framing) {
   }
   return "file";
 }
+
+const std::map<pt::LightChoice, const char*> kLightOf{{pt::LightChoice::file, ""},
+                                                      {pt::LightChoice::course, " course light"},
+                                                      {pt::LightChoice::sky, " sky"},
+                                                      {pt::LightChoice::camera, " camera light"}};
 
 }  // namespace
 
@@ -59,7 +65,7 @@ std::string picture_hash(const Recipe& recipe) {
   const std::string scene = base::sha256(pt::read_file(recipe.scene, kMaxFileBytes));
   const std::string load = fmt::format("{}{}{}", recipe.load.lambertian ? " lambertian" : "",
                                        recipe.load.common_emission ? " common emission" : "",
-                                       recipe.load.course_light ? " course light" : "");
+                                       kLightOf.at(recipe.load.light));
   return base::sha256(recipe_settings(recipe) + scene + load);
 }
 

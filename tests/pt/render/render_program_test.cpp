@@ -187,16 +187,22 @@ TEST_F(RenderProgram, says_how_many_rays_there_were) {
   EXPECT_NE(said().find("1 primitives, 2 lights, engine task, "), std::string::npos) << said();
 }
 
-TEST_F(RenderProgram, says_that_a_scene_has_no_light) {
+TEST_F(RenderProgram, lights_a_scene_that_has_no_light_and_says_so) {
   std::string dark = scene_with("");
   const std::string light = "<instance_light url=\"#l\"/>";
   dark.erase(dark.find(light), light.size());
   write("dark.dae", dark);
-  EXPECT_EQ(run("dark.dae -s 1 -r 8 6"), 0) << said();
+  const auto brightness = [&](const std::string& options) {
+    EXPECT_EQ(run("dark.dae -s 64 -m 1 -r 8 6 --camera file -f a.exr " + options), 0) << said();
+    return pt::read_exr(folder_ / "a.exr").at(4, 3).mean.g;
+  };
+  // The floor has albedo .5. The sky sends radiance 1 from everywhere, the lamp as much light from straight above.
+  EXPECT_NEAR(brightness(""), .5, .1);
   EXPECT_NE(said().find("no light"), std::string::npos) << said();
-  EXPECT_NE(said().find("--show normals"), std::string::npos) << said();
-  EXPECT_EQ(run("dark.dae -s 1 -r 8 6 --show normals"), 0) << said();
-  EXPECT_EQ(said().find("no light"), std::string::npos) << said();
+  for (const char* light : {"sky", "camera"}) {
+    EXPECT_NEAR(brightness(std::string("--light ") + light), .5, .1) << light;
+    EXPECT_EQ(said().find("no light"), std::string::npos) << said();
+  }
   EXPECT_EQ(run("scene.dae -s 1 -r 8 6"), 0) << said();
   EXPECT_EQ(said().find("no light"), std::string::npos) << said();
 }
@@ -216,7 +222,7 @@ TEST_F(RenderProgram, lets_the_emission_of_other_programs_shine_if_it_is_asked_t
       "</constant></technique></profile_COMMON>");
   write("glowing.dae", replaced(glowing, kLightOfScene, ""));
   EXPECT_EQ(run("glowing.dae -s 1 -r 8 6 -f a.exr"), 0) << said();
-  EXPECT_NE(said().find("emission colours in profile_COMMON are ignored; give --common-emission"),
+  EXPECT_NE(said().find("emission colours in profile_COMMON are ignored; --common-emission makes"),
             std::string::npos)
       << said();
   EXPECT_EQ(run("glowing.dae -s 1 -r 8 6 -f a.exr --common-emission --camera file"), 0) << said();
@@ -240,18 +246,16 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
   begins(note("9 9 9", ".001 .001 .001"),
          "the picture is too dark to see: its brightest pixel has the radiance 1.8e-05; give "
          "--exposure 5.");
-  begins(note("<zfar>100", "<zfar>1.5"),
-         "the picture is black: the camera clips all surfaces, it shows what is 0.1 to 1.5 away "
-         "(znear, zfar) and they are 2 to 2.");
-  begins(note("<znear>.1", "<znear>50"),
-         "the picture is black: the camera clips all surfaces, it shows what is 50 to 100 away");
   begins(
       note("<profile_COMMON/>",
            "<profile_COMMON><technique sid=\"c\"><phong><diffuse><color>0 0 0 1</color></diffuse>"
            "</phong></technique></profile_COMMON>"),
       "the picture is black: the surfaces in view reflect nothing");
-  begins(note("1 0 0 -90", "1 0 0 90"), "the picture is black: the camera looks past all surfaces");
-  begins(note("1 0 0 -90", "1 0 0 90", "--show normals --camera file"),
+  // Too thin for any ray, also of the camera that --camera file falls back to.
+  const std::string small = "-2 0 -1 2 0 1.3 2 0 1.3000001";
+  const std::string large = "-2 0 2 2 0 2 0 0 -2";
+  begins(note(large, small), "the picture is black: the camera looks past all surfaces");
+  begins(note(large, small, "--show normals --camera file"),
          "the picture is black: the camera looks past all surfaces");
   begins(note("1 0 0 -90", "1 0 0 -90", "-m 0"),
          "the picture is black: no light reaches the surfaces in view");
@@ -261,8 +265,39 @@ TEST_F(RenderProgram, says_why_a_picture_is_black) {
   EXPECT_EQ(run("inside.dae -s 4 -m 1 -r 8 6 --camera file"), 0) << said();
   EXPECT_NE(said().find("the camera stands inside an emitting sphere"), std::string::npos)
       << said();
-  // A file's own camera is clipped, and the others are not.
-  begins(note("<zfar>100", "<zfar>1.5", ""), "");
+}
+
+// Lamps shine to one side where they have faces. Below its plane the light of a point does not reach the floor.
+TEST_F(RenderProgram, names_the_side_of_a_lamp_where_a_lamp_has_faces) {
+  const std::string side = "only to the side from which their corners run anticlockwise";
+  EXPECT_EQ(run("scene.dae -s 1 -r 8 6 -m 0 --camera file"), 0) << said();
+  EXPECT_NE(said().find("no light reaches the surfaces"), std::string::npos) << said();
+  EXPECT_EQ(said().find(side), std::string::npos) << said();
+  write("panel.dae", replaced(scene_with(""), "<point><color>9 9 9</color></point>",
+                              "<area><color>9 9 9</color></area>"));
+  EXPECT_EQ(run("panel.dae -s 1 -r 8 6 -m 0 --camera file"), 0) << said();
+  EXPECT_NE(said().find(side), std::string::npos) << said();
+}
+
+// The camera looks down at the floor from a height of 2.
+TEST_F(RenderProgram, frames_the_scene_where_the_files_camera_sees_nothing) {
+  const std::string sentence = "the file's camera sees no surface from where it stands, or clips";
+  const std::string all = scene_with("");
+  EXPECT_EQ(run("scene.dae -s 1 -m 1 -r 16 12 -f fit.exr --camera fit --light camera"), 0)
+      << said();
+  for (const auto& [old, by] : {std::pair("<zfar>100", "<zfar>1.5"),
+                                {"<znear>.1", "<znear>50"},
+                                {"1 0 0 -90", "1 0 0 90"}}) {
+    write("blind.dae", replaced(all, old, by));
+    EXPECT_EQ(run("blind.dae -s 1 -m 1 -r 16 12 -f a.exr --camera file --light camera"), 0)
+        << said();
+    EXPECT_NE(said().find(sentence), std::string::npos) << by << said();
+    EXPECT_EQ(said().find("the picture is black"), std::string::npos) << by << said();
+    // The camera that looks up sees the floor from below.
+    EXPECT_EQ(contents("a.exr") == contents("fit.exr"), std::string(by) != "1 0 0 90") << by;
+  }
+  EXPECT_EQ(run("scene.dae -s 1 -m 1 -r 16 12 --camera file"), 0) << said();
+  EXPECT_EQ(said().find(sentence), std::string::npos) << said();
 }
 
 // Stubs come first, also where the camera looks past all surfaces.
@@ -273,7 +308,7 @@ TEST_F(RenderProgram, asks_of_a_black_picture_first_what_is_not_written) {
         << options << said();
     EXPECT_EQ(said().find("smaller than a pixel"), std::string::npos) << options << said();
   }
-  write("past.dae", replaced(scene_with(""), "1 0 0 -90", "1 0 0 90"));
+  write("past.dae", replaced(scene_with(""), "-2 0 2 2 0 2 0 0 -2", "-2 0 2 -2 0 3 -3 0 2"));
   EXPECT_EQ(run("past.dae -s 1 -r 8 6 --camera file", STUBS_RENDER_PROGRAM), 0) << said();
   EXPECT_NE(said().find("the picture is black: write estimate_pixel"), std::string::npos) << said();
 }

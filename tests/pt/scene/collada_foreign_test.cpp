@@ -70,7 +70,7 @@ TEST(Parameters, are_found_in_the_material_and_around_the_shader) {
   EXPECT_EQ(albedo_of(load_effect(declared(".5 .5 .75 1") + shader(kTint))), (Rgb{.5, .5, .75}));
   EXPECT_EQ(albedo_of(load_effect(declared("1 1 1 1") + in_profile)), (Rgb{.25, .5, .75}));
   EXPECT_EQ(albedo_of(load_effect(in_profile, set)), (Rgb{.75, 0, 0}));
-  EXPECT_TRUE(load_effect(in_profile).notes.empty());
+  EXPECT_FALSE(has_note(load_effect(in_profile), "tint"));
   const LoadedScene lost = load_effect(shader(kTint));
   EXPECT_EQ(albedo_of(lost), gray(.5));
   EXPECT_TRUE(has_note(lost, "that is the parameter 'tint', which the file does not define"));
@@ -88,7 +88,7 @@ TEST(Materials, say_what_they_have_in_place_of_a_colour) {
   for (const char* kind : {"constant", "lambert"}) {
     const LoadedScene dark = load_effect(shader(glow, "", kind));
     EXPECT_TRUE(has_note(dark, "has an emission colour in profile_COMMON, which is ignored"));
-    EXPECT_TRUE(dark.ignores_emission && dark.scene.lights.empty());
+    EXPECT_TRUE(dark.ignores_emission && !dark.has_own_light);
     const LoadedScene lit = load_effect(shader(glow, "", kind), "", {.common_emission = true});
     EXPECT_FALSE(lit.ignores_emission);
     EXPECT_EQ(std::get<MeshLight>(lit.scene.lights.at(0)).radiance, (Rgb{2, 3, 4}));
@@ -441,7 +441,7 @@ TEST(Notes, of_one_kind_are_one) {
     text.nodes += node(instance("tri", id));
   }
   const LoadedScene loaded = load(text);
-  ASSERT_EQ(loaded.notes.size(), 2u);
+  ASSERT_EQ(loaded.notes.size(), 3u);  // and that there is no light
   EXPECT_TRUE(has_note(loaded,
                        "material 'm0' states no diffuse colour: its albedo is 0.5. (299 more like "
                        "this.)"));

@@ -1,5 +1,6 @@
 #include "collada_text.h"
 #include "pt/error.h"
+#include "pt/scene/frame_camera.h"
 
 #include <cmath>
 
@@ -100,7 +101,7 @@ TEST(LightNodes, of_other_programs_are_as_bright_as_the_file_says_in_the_middle_
 }
 
 TEST(LightNodes, that_are_black_are_left_out_and_several_are_kept) {
-  EXPECT_TRUE(load_light(light("point", "0 0 0"), "").scene.lights.empty());
+  EXPECT_FALSE(load_light(light("point", "0 0 0"), "").has_own_light);
   SceneText text;
   text.geometries = triangle_mesh();
   text.lights = light("point");
@@ -110,9 +111,62 @@ TEST(LightNodes, that_are_black_are_left_out_and_several_are_kept) {
 
 TEST(LightNodes, that_are_spots_load_and_are_refused_for_light_transport) {
   const LoadedScene loaded = load_light(light("spot"), "");
-  EXPECT_TRUE(loaded.scene.lights.empty());
   EXPECT_TRUE(has_note(loaded, "spot light 'lamp'"));
   EXPECT_THROW(require_supported(loaded, "box.dae"), Error);
+}
+
+TEST(LightNodes, without_a_kind_are_left_out) {
+  for (const char* content : {"", "<technique_common/>", "<extra/>"}) {
+    const LoadedScene loaded =
+        load_light("<light id=\"l\">" + std::string(content) + "</light>", "");
+    EXPECT_TRUE(has_note(loaded, "light 'l' has no kind")) << content;
+    EXPECT_FALSE(loaded.has_own_light) << content;
+  }
+}
+
+// A scene without a light is under a sky. A light that is asked for is added to those of the file.
+TEST(Light, is_never_missing) {
+  const auto kinds = [](const SceneText& text, LightChoice choice) {
+    std::string found;
+    LoadedScene loaded = load(text, {.light = choice});
+    add_camera_light(loaded, frame_camera(loaded, Framing::fit, 4, 3));
+    for (const Light& light : loaded.scene.lights) {
+      found += std::holds_alternative<AmbientLight>(light) ? "sky " : "point ";
+    }
+    EXPECT_NO_THROW(require_supported(loaded, "scene.dae"));
+    return found + (has_note(loaded, "the file has no light") ? "noted" : "");
+  };
+  const SceneText dark = one_triangle();
+  EXPECT_EQ(kinds(dark, LightChoice::file), "sky noted");
+  EXPECT_EQ(kinds(dark, LightChoice::course), "sky noted");
+  EXPECT_EQ(kinds(dark, LightChoice::sky), "sky ");
+  EXPECT_EQ(kinds(dark, LightChoice::camera), "point ");
+  SceneText lit = dark;
+  lit.lights = light("point");
+  lit.nodes += node(kUse);
+  EXPECT_EQ(kinds(lit, LightChoice::file), "point ");
+  EXPECT_EQ(kinds(lit, LightChoice::sky), "point sky ");
+  EXPECT_EQ(kinds(lit, LightChoice::camera), "point point ");
+  SceneText spot = dark;
+  spot.lights = light("spot");
+  spot.nodes += node(kUse);
+  EXPECT_EQ(kinds(spot, LightChoice::sky), "sky ");
+  EXPECT_EQ(kinds(spot, LightChoice::camera), "point ");
+}
+
+// A white wall that fills the view from 5 away gets the irradiance pi, and so has the radiance 1.
+TEST(Light, at_the_camera_is_as_bright_as_white) {
+  SceneText text;
+  text.geometries = quad_mesh();
+  text.nodes = node("<scale>100 100 1</scale>" + instance("quad"));
+  LoadedScene loaded = load(text, {.light = LightChoice::camera});
+  Camera camera;
+  camera.position = {0, 0, 5};
+  camera.hfov_deg = camera.vfov_deg = 1;
+  add_camera_light(loaded, camera);
+  const auto& lamp = std::get<PointLight>(loaded.scene.lights.at(0));
+  EXPECT_EQ(lamp.position, camera.position);
+  EXPECT_NEAR(lamp.intensity.g, kPi * 25, .01);
 }
 
 // Emitting surfaces, each under the transform, with a light node only if one is added.

@@ -142,7 +142,7 @@ TEST(MissingParts, that_the_picture_does_not_need_are_noted) {
   SceneText text = one_triangle();
   text.nodes += node("<instance_light url=\"#sun\"/>") + node("<instance_camera url=\"#cam\"/>");
   const LoadedScene loaded = load(text);
-  EXPECT_TRUE(loaded.scene.lights.empty());
+  EXPECT_FALSE(loaded.has_own_light);
   EXPECT_FALSE(loaded.camera.has_value());
   EXPECT_TRUE(has_note(loaded, "no <light> with the id that '#sun' names"));
   EXPECT_TRUE(has_note(loaded, "no <camera> with the id that '#cam' names"));
