@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pt/error.h"
+#include "pt/memory.h"
 #include "pt/printable.h"
 
 #include <cerrno>
@@ -8,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
 
 // The output at the end of a program.
@@ -26,6 +28,10 @@ inline std::string sentence_of(const std::exception& error) {
   std::string text = error.what();
   if (const auto* files = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
     text = files->path1().string() + ": " + files->code().message();
+  }
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    text = "there is not enough memory: " + shown_bytes(memory_left()) +
+           " are left for this program; take a smaller scene or picture";
   }
   return printable(text);
 }

@@ -14,8 +14,9 @@ namespace pt {
 // than `max_bytes`.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = SIZE_MAX);
 
-// Throws pt::Error if write_file(path) could not work: no such folder, or `path` is itself a folder
-// or a device. Call it before the work whose result will be written.
+// Throws pt::Error if write_file(path) could not work: no such folder, `path` is itself a folder or a
+// device, or no file can be made beside it, which is tried. Call it before the work whose result
+// will be written.
 void check_target(const std::filesystem::path& path);
 
 // A name next to `path` that no other thread and no other process uses:

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,8 @@ enum Channel {
 };
 constexpr std::array<const char*, kChannels> kNames{
     "B", "G", "R", "Y", "samples", "variance.B", "variance.G", "variance.R", "variance.Y"};
+
+constexpr const char* kSettings = "firstlight";  // the attribute
 
 // The place of each of our channels in the file, or -1.
 using ChannelPlaces = std::array<int, kChannels>;
@@ -75,7 +78,11 @@ std::array<std::vector<float>, kChannels> planes(const Film& film) {
     const std::array<double, kChannels> values{
         p.mean.b,     p.mean.g,     p.mean.r,     luminance(p.mean), 0,
         p.variance.b, p.variance.g, p.variance.r, p.variance_y};
-    for (int c = 0; c < kChannels; ++c) out[c].push_back(static_cast<float>(values[c]));
+    // The variance of samples that fit a float may be above it.
+    constexpr double kMax = std::numeric_limits<float>::max();
+    for (int c = 0; c < kChannels; ++c) {
+      out[c].push_back(static_cast<float>(c < kVarianceB ? values[c] : std::min(values[c], kMax)));
+    }
   }
   return out;
 }
@@ -182,7 +189,7 @@ Film to_film(const ReadPixels& image, const ChannelPlaces& places, const std::st
 
 bool starts_as_exr(std::string_view bytes) { return bytes.substr(0, 4) == "\x76\x2f\x31\x01"; }
 
-std::string encode_exr(const Film& film) {
+std::string encode_exr(const Film& film, const std::string& settings) {
   std::array<std::vector<float>, kChannels> floats = planes(film);
   std::vector<std::uint32_t> samples;
   for (const FilmPixel& p : film.pixels) samples.push_back(static_cast<std::uint32_t>(p.samples));
@@ -205,6 +212,14 @@ std::string encode_exr(const Film& film) {
   header.pixel_types = types.data();
   header.requested_pixel_types = types.data();
   header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
+  std::string text = settings;  // tinyexr takes bytes that are not const
+  EXRAttribute attribute{};
+  std::snprintf(attribute.name, sizeof attribute.name, "%s", kSettings);
+  std::snprintf(attribute.type, sizeof attribute.type, "string");
+  attribute.value = reinterpret_cast<unsigned char*>(text.data());
+  attribute.size = static_cast<int>(text.size());
+  header.custom_attributes = &attribute;
+  header.num_custom_attributes = text.empty() ? 0 : 1;
   EXRImage image;
   InitEXRImage(&image);
   image.num_channels = kChannels;
@@ -218,6 +233,17 @@ std::string encode_exr(const Film& film) {
   const std::unique_ptr<unsigned char, void (*)(void*)> owner(bytes, std::free);
   if (size == 0) throw Error("the picture cannot be written as EXR: " + take_message(message));
   return {reinterpret_cast<const char*>(bytes), size};
+}
+
+std::string exr_settings(const std::string& bytes, const std::string& name) {
+  const ReadHeader header(bytes, name);
+  for (int i = 0; i < header.num_custom_attributes; ++i) {
+    const EXRAttribute& attribute = header.custom_attributes[i];
+    if (std::strcmp(attribute.name, kSettings) != 0) continue;
+    return {reinterpret_cast<const char*>(attribute.value),
+            static_cast<std::size_t>(attribute.size)};
+  }
+  return "";
 }
 
 Film decode_exr(const std::string& bytes, const std::string& name) {

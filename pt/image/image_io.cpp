@@ -24,6 +24,13 @@ std::string extension(const fs::path& path) {
   return text;
 }
 
+void expect_known_ending(const fs::path& path) {
+  const std::string ending = extension(path);
+  if (ending == ".png" || ending == ".exr") return;
+  throw Error("cannot write '" + path.string() +
+              "': pictures are written as .png or .exr, so the name has to end in one of these");
+}
+
 Image decode_stb(const std::string& bytes, const std::string& name) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
@@ -66,16 +73,12 @@ Image decode_stb(const std::string& bytes, const std::string& name) {
 }  // namespace
 
 void check_image_target(const fs::path& path) {
-  const std::string ending = extension(path);
-  if (ending != ".png" && ending != ".exr") {
-    throw Error("cannot write '" + path.string() +
-                "': pictures are written as .png or .exr, so the name has to end in one of these");
-  }
+  expect_known_ending(path);
   check_target(path);
 }
 
 void write_image(const fs::path& path, const Film& film, double exposure) {
-  check_image_target(path);
+  expect_known_ending(path);
   if (extension(path) == ".exr") {
     write_exr(path, film);
   } else {

@@ -1,16 +1,12 @@
 #include "pt/end_of_program.h"
-#include "pt/error.h"
 #include "pt/file.h"
 #include "pt/image/film.h"
-#include "pt/image/image_io.h"
-#include "pt/image/sample_map.h"
-#include "pt/image/tone_map.h"
-#include "pt/printable.h"
 #include "pt/render/choose_engine.h"
 #include "pt/render/darkness.h"
 #include "pt/render/options.h"
+#include "pt/render/output.h"
 #include "pt/render/progress.h"
-#include "pt/render/render_film.h"
+#include "pt/render/rounds.h"
 #include "pt/scene/load_collada.h"
 #include "pt/scene/view.h"
 #include "pt/todo_list.h"
@@ -20,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,25 +25,21 @@ namespace pt {
 namespace {
 
 std::atomic<bool> interrupted = false;                  // set by Ctrl-C
+std::atomic<int> caught = 0;                            // the signal
 static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler could not set it
 
-constexpr int kInterruptedExit = 130;  // the exit status of shells for Ctrl-C
+constexpr int kSignalExit = 128;  // added to a signal's number, as shells do
 
-std::filesystem::path beside(const std::filesystem::path& picture, const char* ending) {
-  std::filesystem::path path = picture;
-  return path.replace_filename(picture.stem().string() + ending);
-}
-
-void write_pictures(const RenderOptions& options, const Film& film) {
-  write_image(options.output, film, options.exposure);
-  fmt::print("wrote {}\n", printable(options.output.string()));
-  if (!options.adaptive) return;
-  const SampleMap map = sample_map(film, options.adaptive->max_samples);
-  const auto picture = beside(options.output, "_rate.png");
-  const auto counts = beside(options.output, "_rate.csv");
-  write_png(picture, sample_picture(map));
-  write_counts(counts, map);
-  fmt::print("wrote {} and {}\n", printable(picture.string()), printable(counts.string()));
+// A second signal of the same kind ends the program at once. One that is ignored stays so (nohup).
+void catch_signals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto stop = [](int which) {
+      interrupted = true;
+      caught = which;
+      std::signal(which, SIG_DFL);
+    };
+    if (std::signal(number, stop) == SIG_IGN) std::signal(number, SIG_IGN);
+  }
 }
 
 void print_summary(const RenderResult& result, const RenderOptions& options, const Scene& scene) {
@@ -92,7 +85,8 @@ double brightest(const Film& film) {
 
 int run(int argc, const char* const* argv) {
   const RenderOptions options = parse_options(argc, argv);
-  check_image_target(options.output);
+  check_targets(options);
+  Film start = picture_to_go_on_with(options);
   LoadedScene loaded = load_collada(options.scene, options.load);
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
   if (const std::string note = note_on_framing(loaded, options.framing); !note.empty()) {
@@ -107,18 +101,15 @@ int run(int argc, const char* const* argv) {
   const View view{loaded.scene, camera, path_settings(options), options.width, options.height};
   const RenderSettings settings{options.samples, options.adaptive, options.seed, options.threads};
 
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  std::signal(SIGTERM, [](int) { interrupted = true; });
+  catch_signals();
   Progress progress;
-  const RenderResult result = render_film(
-      view, settings, [&](double part) { progress.show(part); }, &interrupted);
+  const RenderResult result = render_rounds(
+      view, settings, std::move(start), options.seconds, [&](double part) { progress.show(part); },
+      &interrupted);
   progress.clear();
-  if (!result.complete) {
-    fmt::print(stderr, "interrupted: nothing was written\n");
-    return kInterruptedExit;
-  }
   const std::string unwritten = unwritten_tasks(options, loaded.scene);
-  const std::string darkness = note_on_darkness(view, brightest(result.film), options.exposure);
+  const std::string darkness =
+      result.complete ? note_on_darkness(view, brightest(result.film), options.exposure) : "";
   if (!unwritten.empty()) fmt::print(stderr, "{}\n", unwritten);
   print_summary(result, options, loaded.scene);
   if (!darkness.empty()) fmt::print(stderr, "{}\n", darkness);
@@ -126,7 +117,9 @@ int run(int argc, const char* const* argv) {
     write_file(options.notes, unwritten.empty() ? darkness : unwritten);
   }
   write_pictures(options, result.film);
-  return 0;
+  if (result.complete) return 0;
+  fmt::print(stderr, "{}\n", note_on_missing_samples(options, result.film, caught != 0));
+  return caught != 0 ? kSignalExit + caught : 0;
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 #include "pt/error.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <map>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -22,6 +24,8 @@ const std::map<std::string, Show> kShow{{"full", Show::full},
                                         {"indirect", Show::indirect},
                                         {"bounce", Show::bounce},
                                         {"normals", Show::normals}};
+
+constexpr int kMaxSamples = 1 << 24;
 
 const char* kFooter =
     "--from chooses the implementation of the tasks: ./run render --from student for all of them, "
@@ -62,7 +66,7 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
       ->capture_default_str();
   app.add_option("--exposure", options.exposure,
                  "Factor on radiance in a .png; 1.4142 matches the course's pictures")
-      ->check(CLI::PositiveNumber)
+      ->check(check_above_zero)
       ->capture_default_str();
   app.add_option(
          "--camera", options.framing,
@@ -73,9 +77,33 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
       ->default_str("course");
 }
 
+// "90", "90s", "10m" or "1.5h" in seconds.
+double read_time(const std::string& word) {
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  const std::map<std::string, double> units{{"", 1}, {"s", 1}, {"m", 60}, {"h", 3600}};
+  const auto unit = units.find(std::string(rest, end));
+  if (error != std::errc{} || unit == units.end() || !(value > 0 && value <= 1e9)) {
+    throw Error("--time takes a time such as 90s, 10m or 1.5h, not '" + word + "'");
+  }
+  return value * unit->second;
+}
+
+void describe_stops(CLI::App& app, RenderOptions& options, std::string& time) {
+  app.add_option("--time", time,
+                 "Stop when the next round of 64 samples per pixel would not end within this time, "
+                 "as 10m; -s is the maximum, by default 16777216")
+      ->type_name("90s|10m|1h");
+  app.add_option("--resume", options.resume,
+                 "Go on with an .exr that was interrupted or has fewer samples, made with the same "
+                 "options; -f is that file, unless it is given")
+      ->type_name("FILE.exr");
+}
+
 void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
   app.add_option("-s,--samples", options.samples, "Camera rays per pixel (with -a: at most)")
-      ->check(CLI::Range(1, 1 << 24))
+      ->check(CLI::Range(1, kMaxSamples))
       ->capture_default_str();
   app.add_option("-l,--light-samples", options.path.light_samples,
                  "Samples per area light (with -H: directions)")
@@ -88,8 +116,8 @@ void describe_transport(CLI::App& app, RenderOptions& options, Pairs& pairs) {
   app.add_option("--survival", options.path.survival,
                  "The chance of a path to go on after each bounce but the first; 1: no roulette")
       ->check([](const std::string& word) {
-        const double chance = std::strtod(word.c_str(), nullptr);
-        return chance > 0 && chance <= 1 ? "" : "takes a chance above 0 and at most 1, as .7";
+        const bool is_chance = check_above_zero(word).empty() && std::stod(word) <= 1;
+        return is_chance ? "" : "takes a chance above 0 and at most 1, as .7";
       })
       ->capture_default_str();
   app.add_flag("-H,--hemisphere", options.hemisphere,
@@ -125,6 +153,7 @@ void describe_machine(CLI::App& app, RenderOptions& options) {
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "Same seed, same picture, bit for bit")
+      ->check(check_seed)
       ->capture_default_str();
 }
 
@@ -151,7 +180,16 @@ RenderOptions parse_options(int argc, const char* const* argv) {
   describe_picture(app, options, pairs);
   describe_transport(app, options, pairs);
   describe_machine(app, options);
+  std::string time;
+  describe_stops(app, options, time);
   parse(app, argc, argv);
+  if (!time.empty()) {
+    options.seconds = read_time(time);
+    if (app.count("--samples") == 0) options.samples = kMaxSamples;
+    if (!pairs.adaptive.empty()) {
+      throw Error("--time renders rounds of equal samples, and -a chooses them: leave out one");
+    }
+  }
   if (!pairs.size.empty()) {
     options.width = pairs.size[0];
     options.height = pairs.size[1];
@@ -159,6 +197,7 @@ RenderOptions parse_options(int argc, const char* const* argv) {
   if (!pairs.adaptive.empty()) {
     options.adaptive = adaptive_settings(pairs.adaptive, options.samples);
   }
+  if (options.output.empty()) options.output = options.resume;
   if (options.output.empty()) options.output = options.scene.stem().string() + ".png";
   return options;
 }

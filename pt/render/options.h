@@ -20,6 +20,8 @@ enum class Show { full, direct, indirect, bounce, normals };
 struct RenderOptions {
   std::filesystem::path scene;
   std::filesystem::path output;
+  std::filesystem::path resume;   // an .exr to go on with; or empty
+  std::optional<double> seconds;  // of --time
   std::filesystem::path
       notes;  // a file for what is said of the picture, for ./run compare; or empty
   int width = 480;

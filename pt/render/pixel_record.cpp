@@ -1,5 +1,8 @@
 #include "pt/render/pixel_record.h"
 
+#include <cmath>
+#include <limits>
+
 namespace pt {
 
 PixelRecord& pixel_record() {
@@ -7,9 +10,15 @@ PixelRecord& pixel_record() {
   return record;
 }
 
+bool fits_float(Rgb radiance) {
+  constexpr double kMax = std::numeric_limits<float>::max();
+  return std::abs(radiance.r) <= kMax && std::abs(radiance.g) <= kMax &&
+         std::abs(radiance.b) <= kMax;
+}
+
 Rgb recorded(Rgb sample) {
   PixelRecord& record = pixel_record();
-  if (!is_finite(sample)) {
+  if (!fits_float(sample)) {
     ++record.not_finite;
     return {};
   }

@@ -25,20 +25,11 @@ PixelEstimate call_pixel_task(const View& view, int x, int y, const RenderSettin
   return {estimate_pixel(view, x, y, settings.samples, sampler), settings.samples};
 }
 
-// The results of one thread, except its pixels.
-struct ThreadResult {
-  RayCount rays;
-  TestCount tests;
-  long long not_finite = 0;
-  std::optional<BadPixel> first_bad;
-  double cpu_seconds = 0;
-};
-
 bool comes_before(const BadPixel& a, const BadPixel& b) {
   return std::pair(a.y, a.x) < std::pair(b.y, b.x);
 }
 
-void note_bad(ThreadResult& done, BadPixel pixel) {
+void note_bad(RenderResult& done, BadPixel pixel) {
   if (!done.first_bad || comes_before(pixel, *done.first_bad)) done.first_bad = pixel;
 }
 
@@ -54,22 +45,24 @@ struct Tiles {
         count(columns * ((height + kTileSize - 1) / kTileSize)) {}
 };
 
-ThreadResult render_tiles(const View& view, const RenderSettings& settings, Film& film,
-                          Tiles& tiles, const std::function<void(double)>& progress,
+// The results of one thread, except its pixels.
+RenderResult render_tiles(const View& view, const PixelRender& pixel, Film& film, Tiles& tiles,
+                          const std::function<void(double)>& progress,
                           const std::atomic<bool>* stop) {
   const RayCount rays_before = rays_traced();
   const TestCount tests_before = recorder.count;
   const double cpu_before = thread_cpu_seconds();
   const auto stopped = [stop] { return stop != nullptr && *stop; };
-  ThreadResult done;
+  RenderResult done;
   for (int tile = tiles.next++; tile < tiles.count && !stopped(); tile = tiles.next++) {
     const int x0 = tile % tiles.columns * kTileSize;
     const int y0 = tile / tiles.columns * kTileSize;
     for (int y = y0; y < std::min(y0 + kTileSize, view.height); ++y) {
       for (int x = x0; x < std::min(x0 + kTileSize, view.width); ++x) {
         if (stopped()) return done;
-        const RenderedPixel rendered = render_pixel(view, x, y, settings);
-        film.set(x, view.height - 1 - y, rendered.pixel);
+        const int row = view.height - 1 - y;
+        const RenderedPixel rendered = pixel(x, y, film.at(x, row));
+        film.set(x, row, rendered.pixel);
         if (rendered.not_finite == 0) continue;
         done.not_finite += rendered.not_finite;
         note_bad(done, {x, y});
@@ -89,20 +82,21 @@ ThreadResult render_tiles(const View& view, const RenderSettings& settings, Film
   return done;
 }
 
-void add(RenderResult& result, const ThreadResult& done) {
-  result.rays.closest += done.rays.closest;
-  result.rays.occluded += done.rays.occluded;
-  result.tests.boxes += done.tests.boxes;
-  result.tests.triangles += done.tests.triangles;
-  result.tests.spheres += done.tests.spheres;
-  result.not_finite += done.not_finite;
-  result.cpu_seconds += done.cpu_seconds;
-  if (done.first_bad && (!result.first_bad || comes_before(*done.first_bad, *result.first_bad))) {
-    result.first_bad = done.first_bad;
+}  // namespace
+
+void add(RenderResult& result, const RenderResult& more) {
+  result.rays.closest += more.rays.closest;
+  result.rays.occluded += more.rays.occluded;
+  result.tests.boxes += more.tests.boxes;
+  result.tests.triangles += more.tests.triangles;
+  result.tests.spheres += more.tests.spheres;
+  result.not_finite += more.not_finite;
+  result.seconds += more.seconds;
+  result.cpu_seconds += more.cpu_seconds;
+  if (more.first_bad && (!result.first_bad || comes_before(*more.first_bad, *result.first_bad))) {
+    result.first_bad = more.first_bad;
   }
 }
-
-}  // namespace
 
 RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings& settings) {
   PixelRecord& record = pixel_record();
@@ -115,7 +109,7 @@ RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings&
   if (not_finite > 0 && estimate.samples > not_finite) {
     estimate.mean *= static_cast<double>(estimate.samples) / (estimate.samples - not_finite);
   }
-  if (!is_finite(estimate.mean)) {
+  if (!fits_float(estimate.mean)) {
     estimate.mean = {};
     ++not_finite;
   }
@@ -123,29 +117,39 @@ RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings&
   return {{estimate.mean, moments.variance(), moments.variance_y(), estimate.samples}, not_finite};
 }
 
-RenderResult render_film(const View& view, const RenderSettings& settings,
-                         const std::function<void(double)>& progress,
-                         const std::atomic<bool>* stop) {
-  assert((settings.adaptive || settings.samples > 0) && settings.threads > 0);
+RenderResult render_pixels(const View& view, Film film, int threads, const PixelRender& pixel,
+                           const std::function<void(double)>& progress,
+                           const std::atomic<bool>* stop) {
   const auto start = std::chrono::steady_clock::now();
   RenderResult result;
-  result.film = Film(view.width, view.height);
+  result.film = std::move(film);
   Tiles tiles(view.width, view.height);
-  std::vector<ThreadResult> results(settings.threads);
+  std::vector<RenderResult> results(threads);
   {
-    std::vector<std::jthread> threads;
-    threads.reserve(results.size());
-    for (ThreadResult& done : results) {
-      threads.emplace_back([&, into = &done] {
-        *into = render_tiles(view, settings, result.film, tiles, progress, stop);
+    std::vector<std::jthread> running;
+    running.reserve(results.size());
+    for (RenderResult& done : results) {
+      running.emplace_back([&, into = &done] {
+        *into = render_tiles(view, pixel, result.film, tiles, progress, stop);
       });
     }
   }
-  for (const ThreadResult& done : results) add(result, done);
+  for (const RenderResult& done : results) add(result, done);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.complete = tiles.done == tiles.count;
   if (result.complete && progress) progress(1);
   return result;
+}
+
+RenderResult render_film(const View& view, const RenderSettings& settings,
+                         const std::function<void(double)>& progress,
+                         const std::atomic<bool>* stop) {
+  assert((settings.adaptive || settings.samples > 0) && settings.threads > 0);
+  const auto pixel = [&](int x, int y, const FilmPixel&) {
+    return render_pixel(view, x, y, settings);
+  };
+  return render_pixels(view, Film(view.width, view.height), settings.threads, pixel, progress,
+                       stop);
 }
 
 }  // namespace pt

@@ -44,9 +44,19 @@ struct RenderedPixel {
 };
 RenderedPixel render_pixel(const View& view, int x, int y, const RenderSettings& settings);
 
+// Renders pixels, tile by tile, with any threads: `pixel` gets what `film` has of it and returns what
+// it is then. One thread at a time calls `progress` now and then with the part done, in [0, 1]. Setting *stop ends the
+// render within about a pixel.
+using PixelRender = std::function<RenderedPixel(int x, int y, const FilmPixel& before)>;
+RenderResult render_pixels(const View& view, Film film, int threads, const PixelRender& pixel,
+                           const std::function<void(double)>& progress = {},
+                           const std::atomic<bool>* stop = nullptr);
+
+// Adds the rays, tests, bad samples and times of another result.
+void add(RenderResult& result, const RenderResult& more);
+
 // Renders the picture of a view, tile by tile. The same seed gives the same bits for any number of
-// threads, because each pixel has its own random numbers. One thread at a time calls `progress` now
-// and then with the part done, in [0, 1]. Setting *stop ends the render within about a pixel.
+// threads, because each pixel has its own random numbers.
 RenderResult render_film(const View& view, const RenderSettings& settings,
                          const std::function<void(double)>& progress = {},
                          const std::atomic<bool>* stop = nullptr);

@@ -1,7 +1,9 @@
+#include "pt/image/exr.h"
 #include "pt/render/pixel_record.h"
 #include "pt/render/progress.h"
 #include "pt/render/render_film.h"
 #include "pt/render/render_rows.h"
+#include "pt/render/rounds.h"
 
 #include <atomic>
 #include <chrono>
@@ -11,6 +13,7 @@
 #include <regex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -75,6 +78,59 @@ TEST(RenderFilm, gives_the_same_bits_for_any_number_of_threads) {
   EXPECT_FALSE(same_bits(render_film(view, settings).film, render_film(view, {4, {}, 5, 2}).film));
 }
 
+// Up to a round it is the picture of render_film. Two rounds have the mean of two such pictures, and the variance
+// around it, as single precision keeps the first.
+TEST(Rounds, add_up) {
+  const Scene scene = make_scene({1, 2, 3});
+  const View view = make_view(scene);
+  const RenderSettings one{kRound, {}, 5, 2}, two{2 * kRound, {}, 5, 2};
+  const Film first = render_film(view, one).film;
+  EXPECT_TRUE(same_bits(render_rounds(view, one, {}, {}).film, first));
+  const RenderResult both = render_rounds(view, two, {}, {});
+  EXPECT_TRUE(both.complete);
+  EXPECT_EQ(both.rays.closest,
+            render_rounds(view, two, first, {}).rays.closest + render_film(view, one).rays.closest);
+  const Film second = render_film(view, {kRound, {}, 5 + 0x9e3779b97f4a7c15 * kRound, 2}).film;
+  for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+    const FilmPixel &a = first.pixels[i], &b = second.pixels[i], &sum = both.film.pixels[i];
+    const double mean = (a.mean.g + b.mean.g) / 2;
+    const auto squares = [&](const FilmPixel& p) {
+      const double step = p.mean.g - mean;
+      return p.variance.g * (kRound - 1) + kRound * step * step;
+    };
+    EXPECT_EQ(sum.samples, 2 * kRound);
+    EXPECT_NEAR(sum.mean.g, mean, 1e-7 * (1 + mean));
+    const double variance = (squares(a) + squares(b)) / (2 * kRound - 1);
+    EXPECT_NEAR(sum.variance.g, variance, 1e-6 * (1 + variance));
+  }
+}
+
+// Stopped in the third round, at any pixel, and gone on with.
+TEST(Rounds, give_the_same_bits_wherever_they_are_stopped) {
+  const Scene scene = make_scene({1, 2, 3});
+  const View view = make_view(scene);
+  const RenderSettings settings{3 * kRound + 1, {}, 5, 2};
+  const Film whole = render_rounds(view, settings, {}, {}).film;
+  for (const double end : {.1, .4, .5, .9}) {
+    std::atomic<bool> stop = false;
+    RenderResult part = render_rounds(
+        view, settings, {}, {}, [&](double done) { stop = done > end; }, &stop);
+    EXPECT_FALSE(part.complete);
+    Film kept = decode_exr(encode_exr(part.film), "part");
+    const RenderResult all = render_rounds(view, settings, std::move(kept), {});
+    EXPECT_TRUE(all.complete);
+    int others = 0;
+    const Film a = decode_exr(encode_exr(all.film), "a"), b = decode_exr(encode_exr(whole), "b");
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+      others += a.pixels[i].mean != b.pixels[i].mean ||
+                a.pixels[i].variance_y != b.pixels[i].variance_y ||
+                a.pixels[i].samples != b.pixels[i].samples;
+    }
+    EXPECT_EQ(others, 0) << end << " " << samples_of(part.film).least << " "
+                         << samples_of(part.film).most;
+  }
+}
+
 // A worker renders rows of means; the render program renders a film, from the top.
 TEST(RenderRows, are_the_rows_of_the_film) {
   const Scene scene = make_scene({1, 2, 3});
@@ -110,18 +166,24 @@ TEST(RenderFilm, records_the_variance_of_the_samples) {
   EXPECT_EQ(floor.samples, 16);
 }
 
-// Every sample of a wall with infinite radiance is dropped, and its pixels are named.
+// Every sample of a wall whose radiance does not fit a float is dropped, and its pixels are named.
 TEST(RenderFilm, leaves_out_samples_that_are_not_finite) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Scene scene = make_scene({infinity, 1, 1});
-  const RenderResult result = render_film(make_view(scene), {4, {}, 5, 2});
-  EXPECT_TRUE(result.complete);
-  EXPECT_GT(result.not_finite, 0);
-  ASSERT_TRUE(result.first_bad.has_value());
-  for (int y = 0; y < result.film.height; ++y) {
-    for (int x = 0; x < result.film.width; ++x) {
-      EXPECT_TRUE(is_finite(result.film.at(x, y).mean));
+  for (const double glow : {std::numeric_limits<double>::infinity(), 1e60, 3.5e38}) {
+    const Scene scene = make_scene({glow, 1, 1});
+    const RenderResult result = render_film(make_view(scene), {4, {}, 5, 2});
+    EXPECT_TRUE(result.complete);
+    EXPECT_GT(result.not_finite, 0);
+    ASSERT_TRUE(result.first_bad.has_value());
+    const Film film = decode_exr(encode_exr(result.film), "film");
+    for (const FilmPixel& pixel : film.pixels) {
+      EXPECT_TRUE(is_finite(pixel.mean) && is_finite(pixel.variance));
     }
+  }
+  // This one fits a float, and the square of its distance from the mean does not.
+  const RenderResult result = render_film(make_view(make_scene({1e38, 1, 1})), {4, {}, 5, 2});
+  EXPECT_EQ(result.not_finite, 0);
+  for (const FilmPixel& pixel : decode_exr(encode_exr(result.film), "film").pixels) {
+    EXPECT_TRUE(is_finite(pixel.variance));
   }
 }
 
