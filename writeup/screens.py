@@ -64,11 +64,6 @@ def take_picture(page, picture, width, height):
                    check=True, stderr=subprocess.DEVNULL, timeout=120)
 
 
-# The part of the page on the pictures of a task; the first two.
-ONLY_PICTURES = """<style>.head, [aria-labelledby=overview], .part > h2, .task h4, .promises, .reason, footer,
-.picture ~ .picture ~ .picture, .readout { display: none }</style>"""
-
-
 # The five bugs of student/finding_by_looking.md: the mistake, the picture, the pixel, and the height of what is shown.
 BUGS = [("2_bvh/hit_bvh", "range_overwritten", "bvh_coil", "44 27", 330), ("2_bvh/hit_bvh", "first_child_that_hits", "bvh_coil", "44 19", 490),
         ("1_rays/hit_triangle", "t_never_stored", "direct_large_light", "48 35", 490),
@@ -117,11 +112,11 @@ def main():
         with open(page, "w", encoding="utf-8") as file:
             file.write(as_html(last_screen([PROGRAMS + "/watch"], ["expected", "q quit"])))
         take_picture(page, out + "/watch.png", 720, 24 + 18 * ROWS)
-        page = os.path.join(folder, "report.html")
+        page = os.path.join(ROOT, "build/screen.html")  # in the project, where it has links
         subprocess.run([PROGRAMS + "/grade", "hit_triangle", "--html", page],
                        check=False, stdout=subprocess.DEVNULL)
-        add_style(page, ONLY_PICTURES)
-        take_picture(page, out + "/report.png", 760, 900)
+        take_picture(page, out + "/report.png", 760, 1420)
+        os.remove(page)
 
 
 main()

@@ -61,9 +61,16 @@ int show(const results::Results& results, const GradeOptions& options) {
   return results.complete && results::passes(results) ? 0 : 1;
 }
 
-int report_again(const GradeOptions& options) {
+// A small page is one for a class, and will be passed on.
+report::ReportFiles files_of(const build::Config& config, const GradeOptions& options) {
+  report::ReportFiles files = options.files;
+  if (!files.small_page) files.root = config.root;
+  return files;
+}
+
+int report_again(const build::Config& config, const GradeOptions& options) {
   const results::Results results = results::read_results(options.from_results);
-  report::write_reports(results, options.files);
+  report::write_reports(results, files_of(config, options));
   return show(results, options);
 }
 
@@ -237,8 +244,8 @@ void show_progress(report::StatusLine& line, const results::Results& so_far) {
 int run(Words words) {
   programs::GradeOptions options = parse_options(words);
   report::check_targets(options.files);
-  if (!options.from_results.empty()) return options.programs ? 0 : report_again(options);
   const build::Config config = config_for(options);
+  if (!options.from_results.empty()) return options.programs ? 0 : report_again(config, options);
   const Unfinished unfinished(config);
   if (options.resume) {
     const bool only_named = options.programs;
@@ -253,7 +260,7 @@ int run(Words words) {
   const auto taken = taken_in(config, options);
   const judging::GradeRequest request = request_for(config, options, taken);
   if (request.pictures) unfinished.begin(words);
-  report::ProgressReports reports(options.files);
+  report::ProgressReports reports(files_of(config, options));
   std::optional<report::StatusLine> line(std::in_place, options.quiet
                                                             ? report::StatusLine::Output::none
                                                             : report::StatusLine::standard());

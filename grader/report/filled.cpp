@@ -18,6 +18,19 @@ std::string filled(std::string_view page, kainjow::mustache::data data) {
   return text;
 }
 
+void set_text(kainjow::mustache::data& out, const std::string& key, const std::string& text) {
+  out.set(key, text);
+  out.set("has_" + key, !text.empty());
+}
+
+void set_texts(kainjow::mustache::data& out, const std::string& list, const std::string& key,
+               const std::vector<std::string>& texts) {
+  kainjow::mustache::data items{kainjow::mustache::data::type::list};
+  for (const std::string& text : texts) items.push_back(kainjow::mustache::data{key, text});
+  out.set(list, items);
+  out.set("has_" + list, !texts.empty());
+}
+
 std::string address_of(const std::string& file) {
   std::string address;
   for (const char c : file) {

@@ -2,10 +2,10 @@
 
 #include "grader/report/filled.h"
 #include "grader/report/html_picture.h"
+#include "grader/report/html_promises.h"
 #include "grader/report/page/sources.h"
 #include "grader/results/order.h"
 #include "grader/results/presentable.h"
-#include "grader/results/readable.h"
 #include "grader/results/summary.h"
 
 #include <algorithm>
@@ -18,140 +18,143 @@ namespace {
 
 using kainjow::mustache::data;
 
-// Sets a text, and whether there is any.
-void set_text(data& out, const std::string& key, const std::string& text) {
-  out.set(key, text);
-  out.set("has_" + key, !text.empty());
+struct Page {
+  const Link& link;
+  Places& places;
+};
+
+// Where to read about the task.
+data help_data(const results::TaskResult& task, const Link& link) {
+  data help{data::type::list};
+  const auto add = [&](const char* kind, const std::string& text, const std::string& file,
+                       const std::string& anchor) {
+    const std::string address = link ? link(file) : "";
+    data out;
+    out.set("kind", kind);
+    out.set("file", address.empty() ? file : text);
+    out.set("address", address.empty() ? data(false) : data(address + anchor));
+    help.push_back(out);
+  };
+  // As the pages of a handbook on GitHub and in editors name its sections.
+  std::string section = task.number + "-" + task.slug;
+  std::erase(section, '.');
+  add("Handbook", task.number + " " + task.slug, "student/" + task.part + "/README.md",
+      "#" + address_of(section));
+  add("Contract", task.slug + ".h", "pt/tasks/" + task.slug + ".h", "");
+  return help;
 }
 
-// Sets a list of objects with one member, `key`. `list` is its name in the template.
-void set_texts(data& out, const std::string& list, const std::string& key,
-               const std::vector<std::string>& texts) {
-  data items{data::type::list};
-  for (const std::string& text : texts) items.push_back(data{key, text});
-  out.set(list, items);
-  out.set("has_" + list, !texts.empty());
+// "4 more pictures, 3 wrong"
+std::string more_pictures(std::size_t number, std::ptrdiff_t wrong) {
+  return fmt::format("{} more picture{}", number, number == 1 ? "" : "s") +
+         (wrong > 0 ? fmt::format(", {} wrong", wrong) : "");
 }
 
-data failure_data(const results::Failure& exact) {
-  const results::Readable readable = results::readable(exact);
-  const results::Failure& failure = readable.failure;
+// The first wrong one is in sight, and the others are folded. If all are right, none is.
+void set_pictures(data& out, const results::TaskResult& task, Places& places) {
+  std::vector<const results::PictureResult*> order;
+  for (const results::PictureResult& each : task.pictures) order.push_back(&each);
+  const auto is_wrong = [](const results::PictureResult* each) {
+    return results::is_fault(each->state);
+  };
+  const auto wrong = std::ranges::count_if(order, is_wrong);
+  const auto first = std::ranges::find_if(order, is_wrong);
+  if (wrong > 0) std::rotate(order.begin(), first, std::next(first));
+  const std::string told = has_leading_promise(task) ? results::how_to_look(task) : "";
+  data pictures{data::type::list};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    data picture = picture_data(*order[i], task.slug, places);
+    if (told == results::how_to_look(task.slug, *order[i])) set_text(picture, "see_it", "");
+    const bool begins = i == 1 && wrong > 0;
+    set_text(picture, "picture_fold", begins ? more_pictures(order.size() - 1, wrong - 1) : "");
+    picture.set("picture_open", i == 0 && wrong > 0);
+    pictures.push_back(picture);
+  }
+  out.set("pictures", pictures);
+  out.set("has_marks", std::ranges::any_of(order, [](const results::PictureResult* each) {
+            return each->state != results::State::pass;
+          }));
+  out.set("has_pictures_folded", wrong > 0 && order.size() > 1);
+}
+
+// What the line of a task has.
+data line_data(const results::TaskResult& task) {
   data out;
-  set_texts(out, "input", "line", failure.input);
-  set_texts(out, "folded", "line", readable.left_out);
-  out.set("lines_folded", std::to_string(readable.lines_left_out));
-  set_text(out, "what", failure.what);
-  set_text(out, "got", failure.got);
-  set_text(out, "expected", failure.expected);
-  set_text(out, "off_by", failure.off_by);
-  set_text(out, "cause", failure.cause == results::Cause::wrong ? "" : name(failure.cause));
-  set_text(out, "replay", failure.replay);
-  out.set("integrated", failure.integrated);
-  out.set("cases_before", std::to_string(failure.cases_before));
-  out.set("failure_seed", std::to_string(failure.seed));
-  return out;
-}
-
-// A bonus promise that is not kept is not a fault; nor is a promise of a task that was not written.
-results::State state_of(const results::TaskResult& task, const results::PromiseResult& promise) {
-  if (promise.held) return results::State::pass;
-  if (!results::is_judged(task, promise)) return results::State::not_judged;
-  return promise.bonus || !results::is_fault(task.state) ? results::State::not_attempted
-                                                         : results::State::fail;
-}
-
-std::string why_no_failures(const results::TaskResult& task, results::State promise) {
-  if (!task.reason.empty()) return task.reason;
-  return promise == results::State::not_judged ? "It is not judged yet."
-                                               : "There is no input to show.";
-}
-
-data promise_data(const results::TaskResult& task, const results::PromiseResult& promise) {
-  const results::State state = state_of(task, promise);
-  data out, failures{data::type::list};
-  for (const results::Failure& failure : promise.failures)
-    failures.push_back(failure_data(failure));
-  out.set("promise_words", promise.words.empty() ? promise.name : promise.words);
-  out.set("bonus", promise.bonus);
-  out.set("held", promise.held);
-  out.set("broken", !promise.held);
-  const bool only_a_bonus = promise.bonus && !results::missed_bonus(task).empty();
-  out.set("promise_open",
-          (state == results::State::fail || only_a_bonus) && !promise.failures.empty());
-  out.set("promise_tone", tone(state));
-  out.set("promise_symbol", results::symbol(state));
-  out.set("promise_state", state == results::State::fail         ? "not kept"
-                           : state == results::State::not_judged ? "not judged"
-                                                                 : "not kept yet");
-  out.set("failures", failures);
-  out.set("no_failures",
-          promise.failures.empty() ? data(why_no_failures(task, state)) : data(false));
-  return out;
-}
-
-data task_data(const results::TaskResult& task, Places& places) {
-  data out, promises{data::type::list}, pictures{data::type::list};
-  // Broken promises first, the most telling at the top.
-  for (const results::PromiseResult* each : results::by_importance(task)) {
-    promises.push_back(promise_data(task, *each));
-  }
-  for (const results::PromiseResult& each : task.promises) {
-    if (each.held) promises.push_back(promise_data(task, each));
-  }
-  for (const results::PictureResult& each : task.pictures) {
-    pictures.push_back(picture_data(each, task.slug, places));
-  }
   out.set("number", task.number);
   out.set("slug", task.slug);
-  set_text(out, "called", task.called);
   out.set("tone", tone(task.state));
   out.set("symbol", results::symbol(task.state));
   out.set("words", results::words(task.state));
-  out.set("open", results::is_fault(task.state));
   out.set("task_points", std::to_string(task.points));
   out.set("task_max", std::to_string(task.max_points));
+  out.set("above", false);
+  return out;
+}
+
+data task_data(const results::TaskResult& task, const Page& page, bool open) {
+  data out = line_data(task);
+  out.set("open", open);
+  set_text(out, "called", task.called);
   out.set("task_has_bonus", task.bonus_points > 0);
   out.set("task_bonus", std::to_string(task.bonus_points));
   set_text(out, "missed_bonus", results::missed_bonus_text(task));
   set_text(out, "reason", task.reason);
-  set_text(out, "mistake", results::mistake_text(task));
+  set_text(out, "mistake", task.mistake.sentence);
+  set_text(out, "hint", task.mistake.hint);
+  out.set("mistake_kind", results::mistake_kind(task));
   set_text(out, "spared", results::spared_text(task));
   set_texts(out, "blocked_by", "other", task.blocked_by);
   set_texts(out, "blamed", "other", task.blamed);
+  out.set("has_help", task.state != results::State::pass);
+  out.set("help", help_data(task, page.link));
   set_text(out, "compiler_output", task.compiler_output);
   set_text(out, "warnings", results::is_fault(task.state) ? task.warnings : "");
   set_text(out, "printed", task.printed);
-  out.set("promises", promises);
-  out.set("has_promises", !task.promises.empty());
-  out.set("pictures", pictures);
-  out.set("has_pictures", !task.pictures.empty());
+  set_promises(out, task);
+  set_pictures(out, task, page.places);
   return out;
 }
 
-data parts_data(const std::vector<results::TaskResult>& tasks, PageSize size) {
-  Places places(size);
-  data parts{data::type::list};
+data section_data(const std::string& title, const std::string& name, const data& tasks) {
+  data out;
+  out.set("section", title);
+  out.set("part_name", name);
+  out.set("part_max", false);
+  out.set("tasks", tasks);
+  return out;
+}
+
+// The task to work on, and then the parts.
+data sections_data(const results::Results& results, const Page& page) {
+  const std::vector<results::TaskResult>& tasks = results.tasks;
+  data sections{data::type::list};
+  const results::TaskResult* first = results::next_task(results);
+  if (first != nullptr) {
+    data list{data::type::list};
+    list.push_back(task_data(*first, page, true));
+    sections.push_back(section_data(
+        results::is_fault(first->state) ? "Work on this first" : "Write this next", "", list));
+  }
   for (std::size_t i = 0; i < tasks.size();) {
     std::vector<results::TaskResult> of_part;
     data list{data::type::list};
     const std::string& part = tasks[i].part;
     for (; i < tasks.size() && tasks[i].part == part; ++i) {
       of_part.push_back(tasks[i]);
-      list.push_back(task_data(tasks[i], places));
+      data task = &tasks[i] == first ? line_data(tasks[i]) : task_data(tasks[i], page, false);
+      task.set("above", &tasks[i] == first);
+      list.push_back(task);
     }
     const results::Totals sum = results::totals(of_part);
-    data out;
-    out.set("part_number", results::part_number(part));
-    out.set("part_name", results::part_name(part));
+    data out = section_data("Part " + results::part_number(part), results::part_name(part), list);
     out.set("part_points", std::to_string(sum.points));
     out.set("part_max", std::to_string(sum.max_points));
-    out.set("tasks", list);
-    parts.push_back(out);
+    sections.push_back(out);
   }
-  return parts;
+  return sections;
 }
 
-data page_data(const results::Results& results, PageSize size) {
+data page_data(const results::Results& results, const Page& page) {
   const results::Totals all = results::totals(results.tasks);
   data out;
   out.set("style", std::string(page_css));
@@ -172,14 +175,15 @@ data page_data(const results::Results& results, PageSize size) {
   out.set("times", results::times(results));
   set_texts(out, "versions", "version", results.versions);
   set_text(out, "command", results.command);
-  out.set("parts", parts_data(results.tasks, size));
+  out.set("sections", sections_data(results, page));
   return out;
 }
 
 }  // namespace
 
-std::string to_html(const results::Results& results, PageSize size) {
-  return filled(page_html, page_data(results::presentable(results), size));
+std::string to_html(const results::Results& results, PageSize size, const Link& link) {
+  Places places(size);
+  return filled(page_html, page_data(results::presentable(results), {link, places}));
 }
 
 }  // namespace grader::report

@@ -1,6 +1,7 @@
 #include "grader/report/html_picture.h"
 
 #include "grader/report/embedded.h"
+#include "grader/report/filled.h"
 #include "grader/report/pictures.h"
 #include "grader/results/summary.h"
 #include "pt/error.h"
@@ -82,7 +83,7 @@ data view(const char* kind, int width, int height) {
   out.set("height", std::to_string(height));
   for (const char* numbers : {"render_data", "golden_data", "noise_data"}) out.set(numbers, "");
   out.set("has_numbers", false);
-  out.set("maps", data{data::type::list});
+  out.set("has_maps", false);
   out.set("bar", false);
   out.set("has_cells", false);
   out.set("render_label", "render");
@@ -136,6 +137,7 @@ data film_view(const results::PictureResult& picture, PageSize size) {
   }
   out.set("compare_name", "Render over golden");
   out.set("compare_text", exposure == 1 ? "" : fmt::format("at exposure {:g}", exposure));
+  out.set("has_maps", has_maps(picture, size));
   if (has_maps(picture, size)) out.set("maps", film_maps(picture, a, b));
   out.set("has_cells", !picture.cells.empty());
   out.set("cells", cells_data(picture));
@@ -174,6 +176,7 @@ data counts_view(const results::PictureResult& picture, PageSize size) {
                            count_difference_map(render, golden),
                            legend_bar([](double t) { return pt::difference_color(0.4 * t - 0.2); }),
                            "\u221220 %", "+20 %"}));
+  out.set("has_maps", has_maps(picture, size));
   if (has_maps(picture, size)) out.set("maps", maps);
   return out;
 }
@@ -181,8 +184,8 @@ data counts_view(const results::PictureResult& picture, PageSize size) {
 // One line about the rendering.
 std::string made(const results::PictureResult& picture) {
   std::string text = picture.integrated ? "Rendered with all tasks of the submission"
-                                        : "Rendered with this task of the submission, and the "
-                                          "reference in all other places";
+                                        : "Rendered with this task of the submission and the "
+                                          "reference elsewhere";
   if (picture.samples > 0) {
     text += fmt::format("; {} samples per pixel in {} round{}", picture.samples, picture.rounds,
                         picture.rounds == 1 ? "" : "s");
@@ -192,6 +195,19 @@ std::string made(const results::PictureResult& picture) {
   }
   if (picture.seconds > 0) text += fmt::format("; {:.1f} s", picture.seconds);
   return text + ".";
+}
+
+// How sure the verdict is, in one sentence; the table has the other blocks.
+std::string evidence(const results::PictureResult& picture) {
+  if (picture.cells.empty()) return "";
+  const results::FailingCell& first = picture.cells[0];
+  const std::string which =
+      picture.cells.size() == 1
+          ? "The block that fails"
+          : fmt::format("The first of {} blocks that fail", picture.cells.size());
+  return fmt::format("{} ({}x{} at {}, {}) is off by {}: {:.{}f} times what noise explains.", which,
+                     first.width, first.height, first.x, first.y, percent(first.off_by),
+                     first.evidence, first.evidence < 100 ? 1 : 0);
 }
 
 }  // namespace
@@ -226,17 +242,15 @@ data picture_data(const results::PictureResult& picture, const std::string& slug
   out.set("picture_tone", tone(picture.state));
   out.set("picture_symbol", results::symbol(picture.state));
   out.set("picture_words", results::words(picture.state));
-  out.set("picture_open", results::is_fault(picture.state) && place.empty());
   out.set("same", place.empty() ? data(false) : data(place));
   out.set("picture_points", std::to_string(picture.points));
   out.set("picture_max", std::to_string(picture.max_points));
-  out.set("has_sentence", !picture.text.empty());
-  out.set("sentence", picture.text);
+  set_text(out, "sentence", picture.text);
+  set_text(out, "evidence", evidence(picture));
   out.set("made", picture.render.empty() ? "" : made(picture));
-  out.set("picture_has_replay", !picture.replay.empty());
-  out.set("picture_replay", picture.replay);
-  out.set("has_paths", results::is_fault(picture.state) && has_views);
-  out.set("paths", results::how_to_look(slug, picture));
+  set_text(
+      out, "see_it",
+      results::is_fault(picture.state) && has_views ? results::how_to_look(slug, picture) : "");
   data views{data::type::list};
   std::string problem;
   const auto add = [&](data (*make)(const results::PictureResult&, PageSize)) {

@@ -126,8 +126,10 @@ std::string promise_text(const results::TaskResult& task, const results::Promise
     text += failure_text(results::readable(failure), style);
     if (!style.all) break;
   }
-  return text + labelled("replay", {promise.failures[0].replay}) +
-         labelled("hint", {"./run hint " + task.slug});
+  text += labelled("replay", {promise.failures[0].replay}) +
+          labelled("hint", {"./run hint " + task.slug});
+  const std::string look = results::how_to_look(task);
+  return look.empty() ? text : text + labelled("see it", {look});
 }
 
 std::string picture_text(const results::TaskResult& task, const results::PictureResult& picture,
@@ -145,10 +147,10 @@ std::string picture_text(const results::TaskResult& task, const results::Picture
   for (const std::string& line : base::wrap(picture.text, style.width - 2))
     text += "  " + line + "\n";
   text += "\n";
-  const std::string see = results::how_to_see(task, picture);
-  if (!see.starts_with(picture.replay)) text += labelled("replay", {picture.replay});
-  return text + labelled("see it", {see}) +
-         labelled("its paths", {results::how_to_look(task.slug, picture)});
+  const std::string page = results::how_to_see(task, picture);
+  if (!page.starts_with(picture.replay)) text += labelled("replay", {picture.replay});
+  return text + labelled("see it", {results::how_to_look(task.slug, picture)}) +
+         labelled("page", {page});
 }
 
 std::string reason_text(const results::TaskResult& task, const TerminalStyle& style) {

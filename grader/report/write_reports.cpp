@@ -8,9 +8,30 @@
 #include "grader/results/presentable.h"
 #include "pt/file.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <vector>
 
 namespace grader::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Only for a page that lies below the project's folder: another one will be passed on.
+Link link_from(const std::string& page, const std::string& root) {
+  if (root.empty()) return nullptr;
+  const fs::path up = fs::weakly_canonical(root).lexically_relative(
+      fs::weakly_canonical(fs::absolute(page)).parent_path());
+  if (up != "." && !std::ranges::all_of(up, [](const fs::path& step) { return step == ".."; }))
+    return nullptr;
+  return [root, up](const std::string& file) {
+    std::error_code error;
+    return fs::exists(fs::path(root) / file, error) ? (up / file).generic_string() : "";
+  };
+}
+
+}  // namespace
 
 void check_targets(const ReportFiles& files) {
   std::vector<std::string> paths{files.json, files.html, files.junit, files.csv};
@@ -30,7 +51,9 @@ void write_reports(const results::Results& results, const ReportFiles& files) {
   }
   if (!files.csv.empty()) pt::write_file(files.csv, to_csv(results));
   const PageSize size = files.small_page ? PageSize::small : PageSize::full;
-  if (!files.html.empty()) pt::write_file(files.html, to_html(results, size));
+  if (!files.html.empty()) {
+    pt::write_file(files.html, to_html(results, size, link_from(files.html, files.root)));
+  }
 }
 
 void ProgressReports::write(const results::Results& results) {

@@ -17,6 +17,7 @@ struct ReportFiles {
   std::map<std::string, std::string> autograders{};  // by the names in kAutograders
   std::string csv;
   bool small_page = false;  // of html: without the values of pixels (grader/report/html.h)
+  std::string root{};       // of the project: a page below it has links to its files; empty: none
 };
 
 // Throws pt::Error if one of them could not be written.

@@ -88,4 +88,11 @@ std::vector<const TaskResult*> by_importance(const Results& results) {
   return tasks;
 }
 
+const TaskResult* next_task(const Results& results) {
+  const auto tasks = by_importance(results);
+  if (!tasks.empty() && is_fault(tasks[0]->state)) return tasks[0];
+  const auto unwritten = std::ranges::find(results.tasks, State::not_attempted, &TaskResult::state);
+  return unwritten == results.tasks.end() ? nullptr : &*unwritten;
+}
+
 }  // namespace grader::results

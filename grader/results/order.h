@@ -30,4 +30,7 @@ std::vector<const PromiseResult*> by_importance(const TaskResult& task);
 // The tasks with faults, the most telling first.
 std::vector<const TaskResult*> by_importance(const Results& results);
 
+// The task to work on: the most telling of those with faults, or else the first that is not written. Null if there is neither.
+const TaskResult* next_task(const Results& results);
+
 }  // namespace grader::results

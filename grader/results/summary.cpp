@@ -1,5 +1,7 @@
 #include "grader/results/summary.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace grader::results {
@@ -105,12 +107,16 @@ std::string part_name(const std::string& part) {
   return name;
 }
 
-std::string mistake_text(const TaskResult& task) {
+std::string mistake_kind(const TaskResult& task) {
   if (task.mistake.empty()) return "";
   const bool several = task.mistake.name.find(", ") != std::string::npos;
-  return fmt::format(
-      "{}: {}{}", several ? "This is one of these known mistakes" : "This is a known mistake",
-      task.mistake.sentence, task.mistake.hint.empty() ? "" : " Hint: " + task.mistake.hint);
+  return several ? "This is one of these known mistakes" : "This is a known mistake";
+}
+
+std::string mistake_text(const TaskResult& task) {
+  if (task.mistake.empty()) return "";
+  return fmt::format("{}: {}{}", mistake_kind(task), task.mistake.sentence,
+                     task.mistake.hint.empty() ? "" : " Hint: " + task.mistake.hint);
 }
 
 std::string spared_text(const TaskResult& task) {
@@ -162,6 +168,13 @@ std::string how_to_look(const std::string& slug, const PictureResult& picture) {
                                 : fmt::format(" --from reference --from {}=student", slug);
   const std::size_t folder = picture.replay.find(" --submission ");
   return folder == std::string::npos ? command : command + picture.replay.substr(folder);
+}
+
+std::string how_to_look(const TaskResult& task) {
+  const auto found = std::ranges::find_if(task.pictures, [](const PictureResult& picture) {
+    return is_fault(picture.state) && !picture.cells.empty();
+  });
+  return found == task.pictures.end() ? "" : how_to_look(task.slug, *found);
 }
 
 }  // namespace grader::results

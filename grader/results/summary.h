@@ -59,6 +59,9 @@ double seconds(const TaskResult& task);
 std::string part_number(const std::string& part);
 std::string part_name(const std::string& part);
 
+// "This is a known mistake", or that it is one of several. Empty if none is named.
+std::string mistake_kind(const TaskResult& task);
+
 // "This is a known mistake: Compares t with zero where it should be t_min. Hint: ..." Empty if none
 // is named.
 std::string mistake_text(const TaskResult& task);
@@ -78,5 +81,8 @@ std::string how_to_see(const TaskResult& task, const PictureResult& picture);
 
 // The command that shows the picture in the view, and the paths of a pixel where it fails.
 std::string how_to_look(const std::string& slug, const PictureResult& picture);
+
+// The same for the first picture of the task with a place that fails. Empty if there is none.
+std::string how_to_look(const TaskResult& task);
 
 }  // namespace grader::results

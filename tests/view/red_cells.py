@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """red_cells.py BUILD [COUNT]: draws COUNT (40) mistakes of parts 1 to 4 at random, with a pinned seed. Each is graded; the view is
-opened at the pixel that its report names, as `its paths` says; then it is counted whether a cell is red there. docs/view.md has the
+opened at the pixel that its report names, as `see it` says; then it is counted whether a cell is red there. docs/view.md has the
 figure. It needs `grade`, `graded`, `view`, `view_worker.reference` and `view_boxed`, and takes some minutes."""
 import concurrent.futures
 import glob

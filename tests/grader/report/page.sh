@@ -31,6 +31,8 @@ expect 'the render ends in the middle at first' <<E2
 $before === 'inset(0px 50% 0px 0px)';
 E2
 script >/dev/null <<E2
+for (let each = $viewer; each; each = each.parentElement) if (each.tagName === 'DETAILS') each.open = true;
+$viewer.querySelector('.differs').open = true;
 $viewer.scrollIntoView();
 E2
 slider=$(element '[id=\"direct_lights.penumbra\"] .split')

@@ -4,8 +4,10 @@
 #include "pt/image/image_io.h"
 #include "tests/grader/report/example_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,9 +32,11 @@ TEST_F(Page, says_all_that_there_is_to_say) {
        {"1 of 9 tasks pass", "<strong>18</strong> of 39 points, and\n1 bonus", "A: bubblewrap",
         "27.0 s (properties 5.9 s, pictures 21.0 s)", "g++ 12.2.0", "bubblewrap 0.8.0",
         "This block was 21.0 % too dark in three independent renders.", "\u221221.0 %",
-        "ray {o (0.25, 0.25, 1), d (0, 0, -1)}", "17 inputs held; seed 7", "is a link",
-        "./run grade hit_triangle --seed 7", "4.1 times the variance",
-        "Part 3 <span>direct</span>"}) {
+        "ray {o (0.25, 0.25, 1), d (0, 0, -1)}", "<dd>7</dd>", "is a link",
+        "./run grade hit_triangle --seed 7", "4.1 times the variance", "Part 3 <span>direct</span>",
+        "The first of 2 blocks that fail (8x8 at 48, 24) is off by \u221221.0 %: 2.4 times what "
+        "noise "
+        "explains."}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
   for (const results::State state : results::kStates)
@@ -59,19 +63,157 @@ TEST_F(Page, folds_long_inputs) {
   EXPECT_THAT(text, Not(HasSubstr("--json writes")));
 }
 
-TEST_F(Page, opens_what_failed) {
+// hit_sphere crashes, which is the most telling failure of the run.
+TEST_F(Page, begins_with_the_task_to_work_on_and_folds_the_others) {
   const std::string text = to_html(run);
-  EXPECT_THAT(text, HasSubstr("id=\"hit_triangle\" open"));
-  EXPECT_THAT(text, HasSubstr("id=\"direct_lights.penumbra\" open"));
-  EXPECT_THAT(text, HasSubstr("id=\"estimate_pixel\">"));
-  EXPECT_THAT(text, HasSubstr("id=\"direct_lights.two_lights\">"));
+  EXPECT_THAT(text, HasSubstr("<h2>Work on this first"));
+  EXPECT_EQ(count(text, "class=\"task\" id=\""), 9);
+  EXPECT_EQ(count(text, "class=\"task\" id=\"hit_sphere\""), 1);
+  EXPECT_LT(text.find("id=\"hit_sphere\""), text.find("Part 1 <span>"));
+  EXPECT_THAT(text, HasSubstr("<a href=\"#hit_sphere\">hit_sphere</a>"));
+  for (const results::TaskResult& task : run.tasks) {
+    const bool leads = task.slug == "hit_sphere";
+    EXPECT_THAT(text, HasSubstr("id=\"" + task.slug + (leads ? "\" open>" : "\">")));
+  }
+  results::Results results = run;
+  std::erase_if(results.tasks, [](const auto& task) { return results::is_fault(task.state); });
+  EXPECT_THAT(to_html(results), HasSubstr("<h2>Write this next"));
+  EXPECT_THAT(to_html(results), HasSubstr("id=\"trace_path\" open"));
+  results.tasks.resize(1);
+  EXPECT_THAT(to_html(results), Not(HasSubstr("Write this next")));
+}
+
+// A task with five broken promises, each at three inputs, and one that is kept.
+results::TaskResult broken_task(const results::Results& run) {
+  results::TaskResult task = run.tasks[1];
+  task.promises[1].failures.resize(3, task.promises[1].failures[0]);
+  for (int i = 0; i < 4; ++i) task.promises.push_back(task.promises[1]);
+  for (std::size_t i = 1; i < task.promises.size(); ++i) {
+    task.promises[i].words = "promise " + std::to_string(i);
+    for (results::Failure& failure : task.promises[i].failures)
+      failure.got = std::to_string(10 * i);
+  }
+  return task;
+}
+
+// The text without what is inside closed folds: each <details> that is not open, but for its summary.
+std::string in_sight(const std::string& text) {
+  std::string seen;
+  std::vector<bool> hides;
+  for (std::size_t i = 0; i < text.size();) {
+    const bool hidden = std::ranges::count(hides, true) > 0;
+    if (text.compare(i, 8, "<details") == 0) {
+      const std::size_t end = text.find('>', i);
+      const bool open = text.substr(i, end - i).ends_with(" open");
+      const std::size_t summary = text.find("</summary>", i);
+      if (!hidden) seen += text.substr(end, summary - end);
+      hides.push_back(!open);
+      i = summary;
+    } else if (text.compare(i, 10, "</details>") == 0) {
+      if (hides.empty()) return "a fold ends that has not begun";
+      hides.pop_back();
+      i += 10;
+    } else {
+      if (!hidden) seen += text[i];
+      ++i;
+    }
+  }
+  EXPECT_TRUE(hides.empty());
+  return seen;
+}
+
+TEST_F(Page, shows_one_input_of_one_promise) {
+  results::Results results = run;
+  results.tasks = {broken_task(run)};
+  const std::string text = to_html(results), seen = in_sight(text);
+  EXPECT_EQ(count(text, "<dt>got</dt>"), 15);
+  EXPECT_EQ(count(seen, "<dt>got</dt>"), 1);
+  EXPECT_EQ(count(text, "<dt>replay</dt>"), 1);
+  EXPECT_THAT(seen, HasSubstr("<code class=\"got\">10</code>"));
+  EXPECT_THAT(seen, HasSubstr("2 more inputs"));
+  EXPECT_THAT(seen, HasSubstr("4 more promises fail; work on this one"));
+  EXPECT_THAT(seen, HasSubstr("1 promise is kept"));
+  EXPECT_THAT(seen, Not(HasSubstr("promise 2")));
+  results.tasks[0].promises.resize(3);
+  EXPECT_THAT(to_html(results), HasSubstr("1 more promise fails; work on this one"));
+  results.tasks[0].promises.resize(2);
+  EXPECT_THAT(to_html(results), Not(HasSubstr("work on this one")));
+}
+
+// What does not compile keeps no promise, and there is no input to show.
+TEST_F(Page, leads_with_no_promise_if_none_failed_at_an_input) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  for (results::PromiseResult& promise : results.tasks[0].promises) {
+    promise.held = false;
+    promise.failures.clear();
+  }
+  results.tasks[0].compiler_output = "error: expected ';'";
+  const std::string seen = in_sight(to_html(results));
+  EXPECT_THAT(seen, HasSubstr("error: expected &apos;;&apos;"));
+  EXPECT_THAT(seen, HasSubstr("2 promises are not kept yet"));
+  EXPECT_THAT(seen, Not(HasSubstr("returns the interpolated normal")));
+}
+
+TEST_F(Page, shows_one_wrong_picture_and_folds_the_rest) {
+  results::Results results = run;
+  results.tasks = {run.tasks[6]};
+  const std::string seen = in_sight(to_html(results));
+  EXPECT_EQ(count(seen, "class=\"viewer\""), 1);
+  EXPECT_THAT(seen, HasSubstr("This block was 21.0 % too dark"));
+  EXPECT_THAT(seen, HasSubstr("4 more pictures, 3 wrong"));
+  EXPECT_THAT(seen, HasSubstr("Where it differs, and how sure that is"));
+  EXPECT_EQ(count(seen, "class=\"map\""), 0);
+  EXPECT_EQ(count(seen, "class=\"cells\""), 0);
+}
+
+// A picture of the task shows where to look for a promise too; the command stands there once.
+TEST_F(Page, says_where_to_see_a_failure) {
+  results::Results results = run;
+  results.tasks = {run.tasks[6]};
+  const std::string command =
+      "./run view penumbra --pixel 52 43 --from reference --from direct_lights=student";
+  EXPECT_EQ(count(in_sight(to_html(results)), command), 1);
+  results.tasks[0].promises[1] = run.tasks[1].promises[1];
+  const std::string seen = in_sight(to_html(results));
+  EXPECT_THAT(seen, HasSubstr("<dt>see it</dt><dd><code class=\"command\">" + command));
+  EXPECT_EQ(count(seen, command), 1);
+  results.tasks[0].pictures.clear();
+  EXPECT_EQ(count(to_html(results), "see it"), 0);
+}
+
+TEST_F(Page, a_known_mistake_is_the_headline) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  EXPECT_THAT(to_html(results), Not(HasSubstr("known mistake")));
+  results.tasks[0].mistake = {"no_edge", "An edge is left out.", "battery", "Which edge?", false};
+  const std::string seen = in_sight(to_html(results));
+  EXPECT_THAT(seen,
+              HasSubstr("This is a known mistake</span> <strong>An edge is left out.</strong>"));
+  EXPECT_LT(seen.find("Which edge?"), seen.find("returns the interpolated normal"));
+}
+
+TEST_F(Page, leads_to_the_handbook_the_contract_and_the_hint) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  const std::string named = to_html(results);
+  for (const char* part : {"<code>student/1_rays/README.md</code>",
+                           "<code>pt/tasks/hit_triangle.h</code>", "./run hint hit_triangle"}) {
+    EXPECT_THAT(named, HasSubstr(part));
+  }
+  EXPECT_EQ(count(named, "<a href"), 1);  // to the task itself
+  const std::string linked =
+      to_html(results, PageSize::full, [](const std::string& file) { return "../" + file; });
+  EXPECT_THAT(linked, HasSubstr("<a href=\"../student/1_rays/README.md#13-hit_triangle\">"
+                                "1.3 hit_triangle</a>"));
+  EXPECT_THAT(linked, HasSubstr("<a href=\"../pt/tasks/hit_triangle.h\">hit_triangle.h</a>"));
 }
 
 // 18 of 39 points are 46 %. Part 3 has 6 of 17 points.
 TEST_F(Page, has_the_points_of_all_and_of_each_part) {
   const std::string text = to_html(run);
   EXPECT_THAT(text, HasSubstr("<span style=\"width:46%\">"));
-  EXPECT_THAT(text, HasSubstr("Part 3 <span>direct</span></th><td class=\"number\">6/17</td>"));
+  EXPECT_THAT(text, HasSubstr("Part 3 <span>direct</span> <span class=\"points\">6/17</span>"));
 }
 
 TEST_F(Page, a_bonus_that_is_not_earned_is_no_fault) {

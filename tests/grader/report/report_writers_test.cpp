@@ -13,6 +13,7 @@
 #include "tests/grader/report/example_run.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -88,7 +89,7 @@ TEST_F(Writers, the_terminal_shows_pictures) {
   EXPECT_THAT(text, HasSubstr("direct_lights: picture penumbra, A disc in a gradient (fail, 0 of 3 "
                               "points)\n\n  This block was 21.0 % too dark"));
   EXPECT_THAT(text,
-              HasSubstr("  see it    ./run grade direct_lights --seed 7 --html report.html\n"));
+              HasSubstr("  page      ./run grade direct_lights --seed 7 --html report.html\n"));
   EXPECT_THAT(text,
               HasSubstr("27.0 s (properties 5.9 s, pictures 21.0 s). Isolation A: bubblewrap."));
   EXPECT_THAT(text, Not(HasSubstr(results::kStopped)));
@@ -112,7 +113,7 @@ TEST_F(Writers, a_bonus_that_is_missed_is_named_with_its_reason) {
   EXPECT_TRUE(results::passes(results));
   const std::string page = to_html(results);
   EXPECT_THAT(page, HasSubstr("<span class=\"note\">without the bonus: does more</span>"));
-  EXPECT_THAT(page, HasSubstr("<details open><summary class=\"promise"));
+  EXPECT_THAT(page, HasSubstr("<details class=\"promise\" open><summary"));
   // If another promise fails too, it comes first.
   results.tasks[0].promises[0].held = false;
   results.tasks[0].state = results::State::fail;
@@ -190,9 +191,21 @@ TEST_F(Writers, the_terminal_says_how_a_picture_is_made_again) {
   results.tasks[0].pictures[0].replay = "./run render a.dae";
   EXPECT_THAT(to_text(results, {}),
               HasSubstr("  replay    ./run render a.dae\n"
-                        "  see it    ./run grade direct_lights --html report.html\n"
-                        "  its paths ./run view penumbra --pixel 52 43 --from reference --from "
-                        "direct_lights=student\n"));
+                        "  see it    ./run view penumbra --pixel 52 43 --from reference --from "
+                        "direct_lights=student\n"
+                        "  page      ./run grade direct_lights --html report.html\n"));
+}
+
+// A promise fails; the pixel is one of a picture that is wrong.
+TEST_F(Writers, the_terminal_says_where_to_see_a_broken_promise) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  EXPECT_THAT(to_text(results, {}), Not(HasSubstr("see it")));
+  results.tasks[0].pictures = {run.tasks[6].pictures[4], run.tasks[6].pictures[1]};
+  EXPECT_THAT(to_text(results, {}),
+              HasSubstr("  hint      ./run hint hit_triangle\n"
+                        "  see it    ./run view penumbra --pixel 52 43 --from reference --from "
+                        "hit_triangle=student\n"));
 }
 
 TEST(HowToLook, names_a_pixel_from_the_bottom_left_and_whose_tasks_there_are) {
@@ -239,6 +252,39 @@ TEST_F(Writers, all_files_are_written_or_none) {
   files.autograders.clear();
   files.html = here + "/nowhere/a.html";
   EXPECT_THROW(check_targets(files), pt::Error);
+}
+
+// Each section and each contract is where the page says, seen from its folder.
+TEST_F(Writers, a_page_in_the_project_has_links_that_lead_somewhere) {
+  namespace fs = std::filesystem;
+  const std::string& root = folder.path();
+  ReportFiles files;
+  files.root = root;
+  const auto page_at = [&](const std::string& path) {
+    fs::create_directories(fs::path(path).parent_path());
+    files.html = path;
+    write_reports(run, files);
+    return pt::read_file(path, 1 << 24);
+  };
+  EXPECT_THAT(page_at(root + "/a.html"), Not(HasSubstr("README.md#")));
+  fs::create_directories(root + "/student/1_rays");
+  pt::write_file(root + "/student/1_rays/README.md", "# Rays\n");
+  EXPECT_THAT(page_at(root + "/a.html"), HasSubstr("<a href=\"./student/1_rays/README.md#14-"));
+  const std::string below = page_at(root + "/build/b c/a.html");
+  EXPECT_THAT(below, HasSubstr("<a href=\"../../student/1_rays/README.md#14-hit_sphere\">"));
+  EXPECT_THAT(below, HasSubstr("<code>pt/tasks/hit_sphere.h</code>"));
+  EXPECT_THAT(below, HasSubstr("<code>student/2_bvh/README.md</code>"));
+  const TemporaryFolder elsewhere;
+  EXPECT_THAT(page_at(elsewhere.path() + "/a.html"), Not(HasSubstr("README.md#")));
+  files.root.clear();
+  EXPECT_THAT(page_at(root + "/a.html"), Not(HasSubstr("README.md#")));
+}
+
+TEST(Handbook, has_a_section_for_each_task) {
+  for (const Task& task : tasks()) {
+    const std::string page = pt::read_file(FIRSTLIGHT_ROOT "/student/" + task.part + "/README.md");
+    EXPECT_THAT(page, HasSubstr("\n## " + task.number + " " + task.slug + "\n"));
+  }
 }
 
 TEST_F(Writers, a_run_leaves_the_page_of_its_end) {
