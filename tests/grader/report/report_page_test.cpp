@@ -140,7 +140,7 @@ TEST_F(Page, shows_one_input_of_one_promise) {
   EXPECT_THAT(to_html(results), Not(HasSubstr("work on this one")));
 }
 
-// What does not compile keeps no promise, and there is no input to show.
+// A file that does not compile keeps no promise, and there is no input to show.
 TEST_F(Page, leads_with_no_promise_if_none_failed_at_an_input) {
   results::Results results = run;
   results.tasks = {run.tasks[1]};
