@@ -51,7 +51,8 @@ void print_summary(const RenderResult& result, const RenderOptions& options, con
       "{:.3g} M per CPU second\n",
       result.seconds, result.cpu_seconds, rays * 1e-6,
       100 * static_cast<double>(result.rays.occluded) / std::max(rays, 1.0),
-      rays * 1e-6 / result.seconds, rays * 1e-6 / result.cpu_seconds);
+      rays * 1e-6 / std::max(result.seconds, 1e-9),
+      rays * 1e-6 / std::max(result.cpu_seconds, 1e-9));
   const auto per_ray = [&](long long count) {
     return static_cast<double>(count) / std::max(rays, 1.0);
   };

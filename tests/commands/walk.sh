@@ -23,7 +23,7 @@ missing=$(comm -23 <(named "$folder/help") <(named docs/commands.md))
 renders=0
 while IFS= read -r words; do
   # The programs are built already, pictures are small, and adaptive sampling needs a batch.
-  words=$(sed -E 's/ --from [^ ]+//g; s/ -r [0-9]+ [0-9]+//; s/ -s [0-9]+//; s#-f ([^ ]+)#-f '"$folder"'/\1#' <<<"$words")
+  words=$(sed -E 's/ --from [^ ]+//g; s/ -r [0-9]+ [0-9]+//; s/ -s [0-9]+//; s#(-f|--resume) ([^ ]+)#\1 '"$folder"'/\2#' <<<"$words")
   case $words in *' -a '*) words+=' -s 32 -r 4 3' ;; *) words+=' -s 1 -r 16 12' ;; esac
   # shellcheck disable=SC2086
   expect 0 '' "$build/pt/render" $words

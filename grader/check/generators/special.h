@@ -50,7 +50,7 @@ inline pt::Vec3 with_other_zeros(pt::Vec3 v) {
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   for (int axis = 0; axis < 3; ++axis) {
     if (v[axis] != 0) continue;
-    v[axis] = *whole(0, 2) == 0 ? *rc::gen::element(kSmallest, -kSmallest) : *almost_zero();
+    v[axis] = *whole(0, 3) == 3 ? *rc::gen::element(kSmallest, -kSmallest) : *almost_zero();
   }
   return v;
 }

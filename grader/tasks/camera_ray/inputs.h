@@ -58,9 +58,9 @@ inline rc::Gen<pt::Camera> unmoved() {
     const double hfov_deg = field_of_view();
     const int kind = *whole(0, 4);
     const double vfov_deg = kind == 0   ? hfov_deg
-                            : kind == 1 ? hfov_deg * (1 - *magnitude(1e-5, 1e-2))
+                            : kind == 4 ? hfov_deg * (1 - *magnitude(1e-5, 1e-2))
                                         : field_of_view();
-    if (kind != 2) return camera_of(hfov_deg, vfov_deg);
+    if (kind != 3) return camera_of(hfov_deg, vfov_deg);
     const auto [near, far] = clip_range();
     return camera_of(hfov_deg, vfov_deg, near, far);
   });

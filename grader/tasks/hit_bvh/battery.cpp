@@ -30,13 +30,13 @@ void trees(Battery& battery, RandomNumbers& make) {
   for (const Shape shape : {Shape::balanced, Shape::random, Shape::chain}) {
     for (const int n : {2, 5, 12, 24, 40}) {
       for (const bool spheres : {false, true}) {
-        ask(battery, some_case(shape, n, with_leaves_of(3, 0, spheres), make), true);
-        ask(battery, some_case(shape, n, with_leaves_of(6, 0.5, spheres), make), false);
+        ask(battery, some_case(shape, {n}, with_leaves_of(3, 0, spheres), make), true);
+        ask(battery, some_case(shape, {n}, with_leaves_of(6, 0.5, spheres), make), false);
       }
     }
   }
   for (const int n : {1, 3, 6, 12}) {
-    ask(battery, some_case(Shape::leaf, n, with_leaves_of(1, 0, true), make), false);
+    ask(battery, some_case(Shape::leaf, {n}, with_leaves_of(1, 0, true), make), false);
   }
 }
 
@@ -84,7 +84,7 @@ void ask_exactly(Battery& battery, const Case& c, double t) {
 // Leaves with many primitives, and hits at a small and at a large t.
 void extremes(Battery& battery, RandomNumbers& make) {
   for (int i = 0; i < 3; ++i) {
-    ask(battery, some_case(Shape::leaf, 200, with_leaves_of(1, 0, true), make), false);
+    ask(battery, some_case(Shape::leaf, {200}, with_leaves_of(1, 0, true), make), false);
   }
   Case fast = six_in_a_row(true, make), slow = six_in_a_row(false, make);
   fast.ray.direction *= 1e6;
@@ -142,7 +142,7 @@ void run_battery(Battery& battery) {
   for (const Case& c : ranges_along_a_row(make)) ask(battery, c, true);
   walls(battery, make);
   for (const int n : {40, 70}) {
-    ask(battery, some_case(Shape::chain, n, with_leaves_of(1, 20, true), make), false);
+    ask(battery, some_case(Shape::chain, {n}, with_leaves_of(1, 20, true), make), false);
   }
   others(battery, make);
   extremes(battery, make);

@@ -135,38 +135,47 @@ inline void lengthen(pt::Ray& ray, double factor) {
   ray.t_max /= factor;
 }
 
-// The number of primitives, and the seed from which everything else about them follows.
+// The number of primitives, whether a scene of any scale has the scale 1 all the same, and the seed from which everything else
+// about it follows.
 struct Lot {
   int n;
-  std::uint64_t seed;
+  bool at_one = false;
+  std::uint64_t seed = 0;
 };
 
 // A scene with fewer primitives is a different scene, and most mistakes are rarer in it. So
-// shrinking tries several seeds per number of primitives, the smallest number first.
+// shrinking tries several seeds per number of primitives: all small numbers in turn.
 inline rc::Gen<Lot> some_lot(int least, int most) {
-  constexpr int kNumbers = 8, kSeeds = 40;
+  constexpr int kNumbers = 6, kSeeds = 10;
   return rc::Gen<Lot>([=](const rc::Random& random, int size) {
-    const auto first = rc::gen::pair(whole(least, most), sampler_seed())(random, size).value();
-    return rc::shrinkable::shrinkRecur(Lot{first.first, first.second}, [=](const Lot& lot) {
+    const auto [number, kind, seed] =
+        rc::gen::tuple(whole(least, most), whole(0, 9), sampler_seed())(random, size).value();
+    return rc::shrinkable::shrinkRecur(Lot{number, kind < 3, seed}, [=](const Lot& lot) {
       std::vector<Lot> smaller;
-      for (int n = least; n < std::min(lot.n, least + kNumbers); ++n) {
-        for (int k = 0; k < kSeeds; ++k) smaller.push_back({n, lot.seed + k});
+      for (const bool at_one : {true, false}) {
+        for (int k = 0; k < kSeeds; ++k) {
+          for (int n = least; n < std::min(lot.n, least + kNumbers); ++n) {
+            smaller.push_back({n, at_one, lot.seed + k});
+          }
+        }
+        if (lot.at_one) break;
       }
       return rc::seq::fromContainer(smaller);
     });
   });
 }
 
-inline Case some_case(Shape shape, int n, const Wanted& wanted, RandomNumbers& make) {
+inline Case some_case(Shape shape, const Lot& lot, const Wanted& wanted, RandomNumbers& make) {
   const int max_leaf = make.whole(wanted.min_leaf, wanted.max_leaf);
-  const double scale = wanted.any_scale ? std::pow(10, make.whole(-6, 6)) : 1;
+  const bool any_scale = wanted.any_scale && !lot.at_one;
+  const double scale = any_scale ? std::pow(10, make.whole(-6, 6)) : 1;
   Case c;
   c.how = words(shape);
-  c.primitives = some_primitives(n, wanted, make);
+  c.primitives = some_primitives(lot.n, wanted, make);
   c.ray = some_clear_ray(c.primitives, wanted, make);
   enlarge(c, scale);
   c.bvh = tree_of(c.primitives, shape, max_leaf, scale * wanted.padding, make);
-  if (wanted.any_scale) lengthen(c.ray, std::pow(10, make.whole(-6, 5)));
+  if (any_scale) lengthen(c.ray, std::pow(10, make.whole(-6, 5)));
   return c;
 }
 
@@ -189,10 +198,10 @@ inline std::vector<Case> ranges_along_a_row(RandomNumbers& make) {
 
 inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted = {}) {
   return rc::gen::exec([=] {
-    const auto [n, seed] = *some_lot(wanted.least, wanted.most);
+    const Lot lot = *some_lot(wanted.least, wanted.most);
     const Shape shape = *rc::gen::elementOf(shapes);
-    RandomNumbers make(seed);
-    return some_case(shape, n, wanted, make);
+    RandomNumbers make(lot.seed);
+    return some_case(shape, lot, wanted, make);
   });
 }
 
@@ -211,14 +220,14 @@ inline rc::Gen<Case> large_tree() {
 // Half of the rays are parallel to an axis, or almost.
 inline rc::Gen<Case> close_walls() {
   return rc::gen::exec([] {
-    const auto [n, seed] = *some_lot(2, 30);
-    RandomNumbers make(seed);
+    const Lot lot = *some_lot(2, 30);
+    RandomNumbers make(lot.seed);
     Case c;
     c.ray = kThroughWalls;
     if (make.whole(0, 1) == 0) {
       c.ray.direction = {kAlmostZero.at(make.whole(0, 3)), kAlmostZero.at(make.whole(0, 3)), 1};
     }
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < lot.n; ++i) {
       const pt::Vec3 met = c.ray.at(5 + std::pow(10, make.between(-6, 1)));
       const double steep = 0.5 * make.whole(0, 1);
       const double along_x = make.between(-steep, steep), along_y = make.between(-steep, steep);
