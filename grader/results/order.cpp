@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace grader::results {
 
@@ -52,6 +53,16 @@ Rank rank_of(const PromiseResult& promise, bool broken_throughout) {
 }
 
 }  // namespace
+
+void put_most_telling_first(std::vector<Failure>& failures) {
+  const auto rank = [](const Failure& failure) {
+    std::size_t length = 0;
+    for (const std::string& line : failure.input) length += line.size();
+    return std::tuple(failure.integrated, rank_of_cause(failure.cause), !failure.simple,
+                      failure.statistical, length);
+  };
+  std::ranges::stable_sort(failures, {}, rank);
+}
 
 int importance(const TaskResult& task) {
   if (!is_fault(task.state)) return 9;

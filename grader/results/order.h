@@ -14,6 +14,10 @@ namespace grader::results {
 //   - no answer in time; then an answer that is wrong; then a picture.
 int importance(const TaskResult& task);
 
+// Puts the failure of a promise first that is shown: found by itself, a crash before wrong numbers, on simple values, exact, with the
+// shortest input.
+void put_most_telling_first(std::vector<Failure>& failures);
+
 // The promises of a task that are not kept, the most telling first. Decided by, in this order:
 //   - bonus promises last;
 //   - a crash before an answer that takes too long or makes no sense, these before wrong numbers, and

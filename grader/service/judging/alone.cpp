@@ -3,6 +3,7 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
+#include "grader/results/order.h"
 #include "grader/results/presentable.h"
 #include "grader/results/promises.h"
 #include "grader/service/build/cache.h"
@@ -149,6 +150,7 @@ void enter(const results::TaskResult& found, const GradeRequest& request,
       failure.replay = replay_command(request, result.slug);
       promise.failures.push_back(failure);
     }
+    results::put_most_telling_first(promise.failures);
   }
   if (found.keeps_state) {
     result.keeps_state = true;

@@ -107,6 +107,22 @@ TEST(order, takes_the_best_failure_of_a_promise) {
               ElementsAre("both", "plain"));
 }
 
+TEST(order, of_failures_begins_with_a_short_input_of_simple_values) {
+  Failure crash = failure(Cause::crash, "c", 0, 9), simple = failure(Cause::wrong, "s", 0, 2),
+          shorter = failure(Cause::wrong, "h", 0, 1), mean = simple, together = simple;
+  simple.simple = mean.simple = together.simple = true;
+  mean.got = "m";
+  mean.statistical = true;
+  together.got = "t";
+  together.integrated = true;
+  std::vector<Failure> all{together, shorter, mean, simple, failure(Cause::wrong, "l", 0, 8),
+                           crash};
+  put_most_telling_first(all);
+  std::string got;
+  for (const Failure& each : all) got += each.got;
+  EXPECT_EQ(got, "csmhlt");
+}
+
 // Without shadows, few checks of the promise about the sum of lights fail, but nearly all of that about shadows.
 TEST(order, a_promise_that_is_broken_in_few_ways_comes_later) {
   PromiseResult few = broken("few", failure(Cause::wrong)), half = few, most = few;
