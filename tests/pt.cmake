@@ -12,7 +12,8 @@ endif()
 firstlight_test(test_collada rest PATHS LIBRARIES pt_loader fmt::fmt SOURCES
   pt/scene/collada_test.cpp pt/scene/collada_camera_test.cpp pt/scene/collada_course_test.cpp pt/scene/collada_damage_test.cpp
   pt/scene/collada_errors_test.cpp pt/scene/collada_faces_test.cpp pt/scene/collada_foreign_test.cpp
-  pt/scene/collada_lights_test.cpp pt/scene/collada_materials_test.cpp pt/scene/collada_wild_test.cpp pt/scene/frame_camera_test.cpp)
+  pt/scene/collada_lights_test.cpp pt/scene/collada_materials_test.cpp pt/scene/collada_wild_test.cpp pt/scene/frame_camera_test.cpp
+  pt/scene/twins_test.cpp)
 firstlight_test(test_export quick PATHS SOURCES pt/scene/export_test.cpp LIBRARIES pt_export GTest::gmock)
 firstlight_test(test_meshes rest SOURCES pt/scene/meshes_test.cpp LIBRARIES scene_meshes)
 firstlight_test(test_scenes quick PATHS SOURCES pt/scene/scenes_test.cpp LIBRARIES pt_loader NEEDS generate

@@ -57,10 +57,10 @@ Reach reach_of_view(const View& view, const Tracer& tracer) {
     }
     if (const std::optional<Hit> hit = tracer.closest(scene.primitives, seen)) {
       const Material& material = scene.materials[scene.material_of[hit->primitive]];
+      const SurfacePoint point = surface_point(scene, seen, *hit);
       reach.is_shown = true;
-      reach.is_coloured |= !is_black(material.albedo) || !is_black(material.emission);
-      reach.is_lit =
-          reach.is_lit || is_lit(view, tracer, surface_point(scene, seen, *hit), sampler);
+      reach.is_coloured |= !is_black(point.albedo) || !is_black(material.emission);
+      reach.is_lit = reach.is_lit || is_lit(view, tracer, point, sampler);
     }
   }
   return reach;

@@ -16,6 +16,10 @@ struct Material {
   // A kind of material that no task models ("mirror", "glass", ...), else empty. The normals view
   // can show its surfaces; light cannot be computed on them.
   std::string unsupported;
+
+  // The index in its scene of the material of the side away from the geometric normal, which emits to
+  // that side; -1: this material, and no emission there.
+  int behind = -1;
 };
 
 }  // namespace pt

@@ -74,18 +74,21 @@ std::uint32_t Scene::occluded(std::span<const Ray> rays) const {
 }
 
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
-  const Material& material = scene.materials[scene.material_of[hit.primitive]];
+  const Material& front = scene.materials[scene.material_of[hit.primitive]];
   const bool on_triangle = scene.primitives.is_triangle(hit.primitive);
   const Vec3 p = ray.at(hit.t), wo = normalize(-ray.direction);
   const Vec3 n = dot(hit.n, wo) < 0 ? -hit.n : hit.n;
   const Vec3 geometric_normal = unit_geometric_normal(scene.primitives, hit);
+  const bool is_front = dot(geometric_normal, wo) > 0;
+  const bool has_back = front.behind >= 0;
+  const Material& material = is_front || !has_back ? front : scene.materials[front.behind];
   return {p,
           n,
           geometric_normal,
           frame_from_normal(n),
           wo,
           material.albedo,
-          dot(geometric_normal, wo) > 0 ? material.emission : Rgb{},
+          is_front || has_back ? material.emission : Rgb{},
           on_triangle ? hit.primitive : -1,
           error_scale(scene.primitives, ray, hit, p)};
 }

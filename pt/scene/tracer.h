@@ -23,7 +23,9 @@ std::string_view name(Engine engine);
 // same Primitives that it was built for. Queries are const and safe from any thread.
 //
 // All engines give the same answers: the closest hit with t in the ray's range; if several have the
-// same t, the primitive with the smallest index (task: the choice of the linked hit_bvh).
+// same t, the primitive with the smallest index (task: the choice of the linked hit_bvh). Surfaces whose
+// t differ by rounding alone may be met in another order by each engine; the loader makes one surface of
+// triangles with the same corners, so that its scenes have none that lie exactly on another.
 class Tracer {
  public:
   Tracer() = default;  // traces linearly

@@ -113,6 +113,48 @@ TEST(SampleLight, is_dark_from_behind) {
   EXPECT_EQ(inside.radiance, Rgb{});
 }
 
+// What a white surface with normal n at p reflects of a lamp that nothing hides, times pi.
+double received(const Light& light, Vec3 p, Vec3 n, Sampler& sampler) {
+  constexpr int kSamples = 200;
+  double sum = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const LightSample one = sample_light(light, p, sampler);
+    sum += one.radiance.g * std::max(0.0, dot(one.wi, n)) / one.pdf;
+  }
+  return sum / kSamples;
+}
+
+// Points in the plane of a lamp, of its own surface and beside it, on both of their sides and on a wall that stands on
+// the plane: rounding decides on which side of the lamp they are, and so little light may depend on
+// it that nobody sees it. The same for a point light in the plane of the surface.
+TEST(SampleLight, in_its_own_plane_is_as_good_as_dark) {
+  Sampler sampler(59);
+  const auto draw = [&] { return Vec3{sampler.next_1d(), sampler.next_1d(), sampler.next_1d()}; };
+  for (const double away : {0.0, 1.0, 1e3, 1e6}) {
+    const double rounding = 1e-10 * (1 + away);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 o = away * draw(), u = draw(), v = draw();
+      const Vec3 n = normalize(cross(u, v));
+      if (!(length(cross(u, v)) > .05)) continue;
+      const RectangleLight rectangle{o + .5 * (u + v), u, v, n, gray(1)};
+      const MeshLight triangle = make_mesh_light({{o, o + u, o + v}}, gray(1));
+      const double a = 2 * sampler.next_1d() - .5, b = 2 * sampler.next_1d() - .5;
+      const Vec3 p = o + a * u + b * v;
+      for (const Vec3 side : {n, -n, normalize(u), -normalize(v)}) {
+        EXPECT_LT(received(rectangle, p, side, sampler), rounding) << away << " " << a << " " << b;
+        EXPECT_LT(received(triangle, p, side, sampler), rounding) << away << " " << a << " " << b;
+      }
+      const PointLight lamp{o, gray(1)};
+      const double close = length(p - o);
+      if (close > .1) {
+        EXPECT_LT(received(lamp, p, n, sampler), rounding) << away;
+      }
+      // In front of it there is light.
+      EXPECT_GT(received(rectangle, rectangle.center + .1 * n, -n, sampler), .01);
+    }
+  }
+}
+
 // A point of a sphere is computed from a ray, with rounding errors on both sides of the sphere. It gets nothing from its own lamp; a point
 // a little farther out does.
 TEST(SampleLight, is_dark_on_the_sphere_itself) {

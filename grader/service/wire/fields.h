@@ -53,7 +53,7 @@ FIRSTLIGHT_FIELDS(pt::Primitives, triangles, spheres);
 FIRSTLIGHT_FIELDS(pt::SurfacePoint, p, n, geometric_normal, frame, wo, albedo, emission, triangle,
                   scale);
 FIRSTLIGHT_FIELDS(pt::Camera, position, camera_to_world, hfov_deg, vfov_deg, near_clip, far_clip);
-FIRSTLIGHT_FIELDS(pt::Material, name, albedo, emission, unsupported);
+FIRSTLIGHT_FIELDS(pt::Material, name, albedo, emission, unsupported, behind);
 FIRSTLIGHT_FIELDS(pt::RectangleLight, center, u, v, n, radiance, as_in_cs184);
 FIRSTLIGHT_FIELDS(pt::SphereLight, center, radius, radiance);
 FIRSTLIGHT_FIELDS(pt::MeshLight::Face, p0, p1, p2);

@@ -7,6 +7,7 @@
 #include "pt/scene/collada/lights.h"
 #include "pt/scene/collada/materials.h"
 #include "pt/scene/collada/transforms.h"
+#include "pt/scene/collada/twins.h"
 
 #include <cmath>
 #include <optional>
@@ -135,10 +136,62 @@ class SurfaceReader {
       document_.note("surfaces without a material (" + std::to_string(without_material_) +
                      ", the first at node " + first_without_material_ + ") have albedo 0.5.");
     }
+    merge();
     return std::move(found_);
   }
 
  private:
+  // Part of the primitives that emits, as one lamp. Spheres are counted among spheres.
+  struct Lamp {
+    const Instance* instance;
+    bool is_sphere;
+    std::size_t begin, end;
+    Rgb emission;
+  };
+
+  // Lamps are made of what is still seen once surfaces in one place are one.
+  void merge() {
+    const Primitives before = lamps_.empty() ? Primitives{} : scene_.primitives;
+    const std::size_t triangles = scene_.primitives.triangles.size();
+    const Twins twins = merge_twins(scene_);
+    for (const Lamp& lamp : lamps_) {
+      const std::string name = label(*lamp.instance->node);
+      if (lamp.is_sphere) {
+        if (!twins.is_shown[triangles + lamp.begin]) continue;
+        add_emitter(*lamp.instance,
+                    sphere_emitter(before.spheres[lamp.begin], lamp.emission, name));
+        continue;
+      }
+      std::vector<Triangle> shown;
+      for (std::size_t i = lamp.begin; i < lamp.end; ++i) {
+        if (twins.is_shown[i]) shown.push_back(before.triangles[i]);
+      }
+      if (!shown.empty()) add_emitter(*lamp.instance, mesh_emitter(shown, lamp.emission, name));
+    }
+    note_on(twins);
+  }
+
+  void note_on(const Twins& twins) const {
+    if (twins.equal > 0) {
+      document_.note(
+          std::to_string(twins.equal) +
+          " surfaces lie exactly on another one that faces the same way and are left out" +
+          (twins.lamps > 0 ? ", " + std::to_string(twins.lamps) + " of them lamps on a lamp."
+                           : "."));
+    }
+    if (twins.opposite > 0) {
+      document_.note(
+          std::to_string(twins.opposite) +
+          " surfaces lie exactly on the back of another one: both are one surface, which "
+          "shows the material of the side that is seen.");
+    }
+    if (const std::size_t overlaps = count_overlaps(scene_.primitives); overlaps > 0) {
+      document_.note(std::to_string(overlaps) +
+                     " triangles have another one in their plane, which is not the same: rounding "
+                     "decides at each point which is seen; move one of them.");
+    }
+  }
+
   void check_bounds(const Instance& instance, const Box& box) const {
     if (!(max_abs(box.min) <= kMaxCoordinate && max_abs(box.max) <= kMaxCoordinate)) {
       document_.fail(*instance.element, "coordinates reach beyond 1e30; scale the scene down");
@@ -157,9 +210,8 @@ class SurfaceReader {
     scene_.primitives.spheres.push_back(*sphere);
     material_of_spheres_.push_back(material);
     const Rgb emission = scene_.materials[material].emission;
-    if (!is_black(emission)) {
-      add_emitter(instance, sphere_emitter(*sphere, emission, label(*instance.node)));
-    }
+    const std::size_t index = scene_.primitives.spheres.size() - 1;
+    if (!is_black(emission)) lamps_.push_back({&instance, true, index, index + 1, emission});
   }
 
   void add_part(const Instance& instance, const MeshPart& part) {
@@ -181,7 +233,7 @@ class SurfaceReader {
     const Rgb emission = scene_.materials[material].emission;
     if (!is_black(emission)) {
       check_winding(placed, label(*instance.node));
-      add_emitter(instance, mesh_emitter(placed, emission, label(*instance.node)));
+      lamps_.push_back({&instance, false, before, all.size(), emission});
     }
   }
 
@@ -241,6 +293,7 @@ class SurfaceReader {
   Surfaces found_;
   Scene& scene_ = found_.scene;
   std::vector<int> material_of_spheres_;
+  std::vector<Lamp> lamps_;
   std::size_t placed_ = 0;
   std::size_t copies_ = 0;
   std::size_t without_area_ = 0;

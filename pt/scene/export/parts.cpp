@@ -66,6 +66,12 @@ std::vector<TriangleGroup> triangle_groups(const Scene& scene) {
 }
 
 void require_surfaces(const Scene& scene, const std::string& name) {
+  for (const Material& material : scene.materials) {
+    if (material.behind < 0) continue;
+    throw Error(name + ": surfaces of '" + material.name +
+                "' have another material on their back; another renderer would show them "
+                "differently");
+  }
   const double power = power_of_surfaces(scene);
   if (std::abs(power_of_lights(scene) - power) > kSamePower * power) {
     throw Error(name +

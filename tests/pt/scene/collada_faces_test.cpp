@@ -208,14 +208,14 @@ TEST(Faces, with_a_hole_are_read_from_a_file) {
     for (const Triangle& t : loaded.scene.primitives.triangles) area += geometric_normal(t).z / 2;
     return std::pair(area, has_note(loaded, "or without its holes"));
   };
-  EXPECT_EQ(areas("<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5 6 7</h></ph><p>0 2 3</p>"),
-            std::pair(8. + 12 + 8, false));
+  EXPECT_EQ(areas("<p>1 2 5</p><ph><p>0 1 2 3</p><h>4 5 6 7</h></ph><p>1 2 4</p>"),
+            std::pair(6. + 12 + 6, false));
   // Two corners are no hole. One that reaches out of its outline is named.
-  EXPECT_EQ(areas("<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5</h></ph><p>0 2 3</p>"),
-            std::pair(8. + 16 + 8, false));
-  EXPECT_EQ(areas("<p>0 1 2</p><ph><p>4 7 6 5</p><h>0 1 2</h></ph><p>0 2 3</p>"),
-            std::pair(8. + 4 + 8, true));
-  EXPECT_THROW(areas("<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5 60</h></ph><p>0 2 3</p>"), Error);
+  EXPECT_EQ(areas("<p>1 2 5</p><ph><p>0 1 2 3</p><h>4 5</h></ph><p>1 2 4</p>"),
+            std::pair(6. + 16 + 6, false));
+  EXPECT_EQ(areas("<p>1 2 5</p><ph><p>4 7 6 5</p><h>0 1 2</h></ph><p>1 2 4</p>"),
+            std::pair(6. + 4 + 6, true));
+  EXPECT_THROW(areas("<p>1 2 5</p><ph><p>0 1 2 3</p><h>4 5 60</h></ph><p>1 2 4</p>"), Error);
 }
 
 LoadedScene load_set(const std::string& kind, const std::string& count, const std::string& lists) {

@@ -438,7 +438,8 @@ TEST(Notes, of_one_kind_are_one) {
   for (int i = 0; i < 300; ++i) {
     const std::string id = "m" + std::to_string(i);
     text = with_material(text, id, "");
-    text.nodes += node(instance("tri", id));
+    text.nodes +=
+        node("<translate>" + std::to_string(i + 1) + " 0 0</translate>" + instance("tri", id));
   }
   const LoadedScene loaded = load(text);
   ASSERT_EQ(loaded.notes.size(), 3u);  // and that there is no light

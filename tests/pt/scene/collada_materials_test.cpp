@@ -7,12 +7,12 @@ namespace {
 TEST(Materials, are_bound_a_set_of_faces) {
   SceneText text;
   text.geometries =
-      "<geometry id=\"g\"><mesh>" + float_source("p", "0 0 0 1 0 0 0 1 0", 9) +
+      "<geometry id=\"g\"><mesh>" + float_source("p", "0 0 0 1 0 0 0 1 0 0 0 1", 12) +
       position_inputs("g").replace(position_inputs("g").find("#g-p"), 4, "#p") +
       "<triangles count=\"1\" material=\"a\"><input semantic=\"VERTEX\" source=\"#g-v\" "
       "offset=\"0\"/><p>0 1 2</p></triangles>"
       "<polylist count=\"1\" material=\"b\"><input semantic=\"VERTEX\" source=\"#g-v\" "
-      "offset=\"0\"/><vcount>3</vcount><p>0 2 1</p></polylist></mesh></geometry>";
+      "offset=\"0\"/><vcount>3</vcount><p>0 2 3</p></polylist></mesh></geometry>";
   text.nodes = node(
       "<instance_geometry url=\"#g\"><bind_material><technique_common>"
       "<instance_material symbol=\"b\" target=\"#red\"/>"

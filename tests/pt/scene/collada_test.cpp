@@ -96,7 +96,7 @@ TEST(Transforms, that_mirror_turn_the_winding_order) {
 TEST(Meshes, fan_faces_of_more_than_three_corners) {
   SceneText text;
   text.geometries = mesh("pent", "0 0 0 2 0 0 3 1 0 1 2 0 -1 1 0", 15, "polylist", "count=\"2\"",
-                         "<vcount>5 3</vcount><p>0 1 2 3 4 0 2 3</p>");
+                         "<vcount>5 3</vcount><p>0 1 2 3 4 0 1 3</p>");
   text.nodes = node(instance("pent"));
   const LoadedScene loaded = load(text);
   const std::vector<Triangle>& all = loaded.scene.primitives.triangles;

@@ -1,0 +1,185 @@
+#include "pt/scene/collada/twins.h"
+
+#include "pt/accel/wide_bvh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace pt {
+
+namespace {
+
+// The same for all orders of the corners.
+std::uint64_t hash_of_primitive(const Primitives& all, int i) {
+  if (!all.is_triangle(i)) return hash_of(all.sphere(i).center) + 1;
+  const Triangle& t = all.triangle(i);
+  return hash_of(t.p0) + hash_of(t.p1) + hash_of(t.p2);
+}
+
+enum class Relation { none, equal, opposite };
+
+Relation relation(const Primitives& all, int i, int j) {
+  if (all.is_triangle(i) != all.is_triangle(j)) return Relation::none;
+  if (!all.is_triangle(i)) {
+    const Sphere &a = all.sphere(i), &b = all.sphere(j);
+    const bool same = a.center == b.center && a.radius == b.radius;
+    return same ? Relation::equal : Relation::none;
+  }
+  const Triangle &a = all.triangle(i), &b = all.triangle(j);
+  const Vec3 corners[3] = {a.p0, a.p1, a.p2};
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
+    if (!(corners[k] == b.p0)) continue;
+    if (next == b.p1 && last == b.p2) return Relation::equal;
+    if (next == b.p2 && last == b.p1) return Relation::opposite;
+  }
+  return Relation::none;
+}
+
+// A surface that stays, and the primitives whose materials its sides show; -1: nothing lies there.
+struct Sides {
+  int front;
+  int back = -1;
+};
+
+class Merge {
+ public:
+  explicit Merge(Scene& scene) : scene_(scene), is_removed_(scene.primitives.size()) {
+    twins_.is_shown.assign(is_removed_.size(), true);
+  }
+
+  Twins run() {
+    const int size = scene_.primitives.size();
+    std::vector<std::pair<std::uint64_t, int>> order;
+    order.reserve(is_removed_.size());
+    for (int i = 0; i < size; ++i) order.emplace_back(hash_of_primitive(scene_.primitives, i), i);
+    std::sort(order.begin(), order.end());
+    for (auto first = order.begin(); first != order.end();) {
+      const auto end = std::find_if(first, order.end(),
+                                    [&](const auto& one) { return one.first != first->first; });
+      if (end - first > 1) {
+        std::vector<int> alike;
+        for (auto i = first; i != end; ++i) alike.push_back(i->second);
+        join(alike);
+      }
+      first = end;
+    }
+    if (twins_.equal + twins_.opposite > 0) compact();
+    return std::move(twins_);
+  }
+
+ private:
+  bool emits(int i) const { return !is_black(scene_.materials[scene_.material_of[i]].emission); }
+
+  // Primitives in ascending order that have the same hash.
+  void join(const std::vector<int>& alike) {
+    std::vector<std::pair<int, Sides>> kept;
+    for (const int i : alike) {
+      const auto on = std::find_if(kept.begin(), kept.end(), [&](const auto& one) {
+        return relation(scene_.primitives, one.first, i) != Relation::none;
+      });
+      if (on == kept.end()) {
+        kept.emplace_back(i, Sides{i});
+        continue;
+      }
+      const bool is_equal = relation(scene_.primitives, on->first, i) == Relation::equal;
+      ++(is_equal ? twins_.equal : twins_.opposite);
+      is_removed_[i] = true;
+      show(is_equal ? on->second.front : on->second.back, i);
+    }
+    for (const auto& [primitive, sides] : kept) set_material(primitive, sides);
+  }
+
+  // Primitive i lies on this side, where another one may be shown.
+  void show(int& side, int i) {
+    if (side >= 0 && emits(side) && emits(i)) ++twins_.lamps;
+    const bool is_seen = side < 0 || (emits(i) && !emits(side));
+    if (is_seen && side >= 0) twins_.is_shown[side] = false;
+    if (is_seen) side = i;
+    if (!is_seen) twins_.is_shown[i] = false;
+  }
+
+  void set_material(int primitive, Sides sides) {
+    const int front = scene_.material_of[sides.front];
+    int& shown = material_of_.try_emplace(primitive, front).first->second;
+    if (sides.back < 0) return;
+    const int back = scene_.material_of[sides.back];
+    if (back == front && !emits(sides.front)) return;
+    const auto next = static_cast<int>(scene_.materials.size());
+    const auto [pair, is_new] = pairs_.try_emplace({front, back}, next);
+    if (is_new) {
+      scene_.materials.push_back(scene_.materials[front]);
+      scene_.materials.back().behind = back;
+    }
+    shown = pair->second;
+  }
+
+  void compact() {
+    for (const auto& [primitive, material] : material_of_) {
+      scene_.material_of[primitive] = material;
+    }
+    Primitives& all = scene_.primitives;
+    Primitives left;
+    std::vector<int> material_of;
+    for (int i = 0; i < all.size(); ++i) {
+      if (is_removed_[i]) continue;
+      material_of.push_back(scene_.material_of[i]);
+      if (all.is_triangle(i)) {
+        left.triangles.push_back(all.triangle(i));
+      } else {
+        left.spheres.push_back(all.sphere(i));
+      }
+    }
+    all = std::move(left);
+    scene_.material_of = std::move(material_of);
+  }
+
+  Scene& scene_;
+  Twins twins_;
+  std::vector<bool> is_removed_;
+  std::map<int, int> material_of_;  // of those that stay, set at the end
+  std::map<std::pair<int, int>, int> pairs_;
+};
+
+std::uint64_t mixed(std::uint64_t z) {  // SplitMix64 (Steele, Lea and Flood 2014)
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+}  // namespace
+
+std::uint64_t hash_of(Vec3 p) {
+  std::uint64_t hash = 0;
+  for (const double x : {p.x, p.y, p.z}) {
+    hash = mixed(hash + 0x9e3779b97f4a7c15 + std::bit_cast<std::uint64_t>(x + 0.0));
+  }
+  return hash;
+}
+
+Twins merge_twins(Scene& scene) {
+  share_diagonals(scene);
+  return Merge(scene).run();
+}
+
+std::size_t count_overlaps(const Primitives& primitives) {
+  constexpr std::size_t kMaxTested = 1'000'000;  // a larger file would take seconds longer
+  constexpr double kApart = 1e-9;                // of the largest coordinate: not on purpose
+  if (primitives.triangles.size() > kMaxTested) return 0;
+  const WideBvh tree = WideBvh::build(primitives);
+  std::size_t overlaps = 0;
+  for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
+    const Triangle& t = primitives.triangles[i];
+    const Vec3 center = (t.p0 + t.p1 + t.p2) / 3, n = normalize(geometric_normal(t));
+    const double apart = kApart * std::max({max_abs(t.p0), max_abs(t.p1), max_abs(t.p2)});
+    const Ray through{center - apart * n, n, 0, 2 * apart, static_cast<std::int64_t>(i)};
+    overlaps += tree.closest(primitives, through) ? 1 : 0;
+  }
+  return overlaps;
+}
+
+}  // namespace pt
