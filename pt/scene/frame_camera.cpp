@@ -51,6 +51,19 @@ Vec3 towards_eye(const LoadedScene& loaded, const FileCamera& camera, Framing fr
   return as_course ? normalize(course) : camera.camera_to_world.z;
 }
 
+// The direction, or 45 degrees from it where it would look at a flat scene along its plane.
+Vec3 off_edge(Vec3 towards, const Box& box) {
+  constexpr double kFlat = 1e-3;
+  const Vec3 size = box.extent();
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 across{};
+    (axis == 0 ? across.x : axis == 1 ? across.y : across.z) = 1;
+    const bool is_flat = size[axis] <= kFlat * max_abs(size);
+    if (is_flat && std::abs(towards[axis]) < kFlat) return normalize(towards + across);
+  }
+  return towards;
+}
+
 // A frame with z from the target towards the eye, and y as far up as possible.
 Frame upright_frame(Vec3 z, const FileCamera& camera) {
   Vec3 right = cross({0, 1, 0}, z);
@@ -144,7 +157,9 @@ Camera frame_camera(const LoadedScene& loaded, Framing framing, int width, int h
   camera.near_clip = 0;
   camera.far_clip = kInfinity;
   const Box box = bounds(loaded.scene.primitives);
-  camera.camera_to_world = upright_frame(towards_eye(loaded, from, framing), from);
+  const Vec3 towards = towards_eye(loaded, from, framing);
+  camera.camera_to_world =
+      upright_frame(framing == Framing::fit ? off_edge(towards, box) : towards, from);
   camera.position = box.center() + 1.5 * length(box.extent()) * camera.camera_to_world.z;
   return camera;
 }

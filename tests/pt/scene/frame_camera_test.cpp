@@ -111,6 +111,21 @@ TEST(FrameCamera, fit_shows_the_whole_field_with_square_pixels) {
   expect_near(wide.position, {0, 0.75, 1.5 * std::sqrt(10.25)});
 }
 
+// A floor has no side to be seen from the front, nor has a wall from its edge.
+TEST(FrameCamera, fit_looks_at_a_flat_scene_from_above_its_plane) {
+  LoadedScene loaded = box(4.0 / 3);
+  loaded.camera.reset();
+  auto& triangles = loaded.scene.primitives.triangles;
+  triangles = {flat_triangle({-1, 2, -1}, {1, 2, -1}, {1, 2, 1})};
+  expect_near(frame_camera(loaded, Framing::fit, 4, 3).camera_to_world.z,
+              Vec3{0, 1, 1} / std::sqrt(2));
+  triangles = {flat_triangle({2, -1, -1}, {2, 1, -1}, {2, 1, 1})};
+  expect_near(frame_camera(loaded, Framing::fit, 4, 3).camera_to_world.z,
+              Vec3{1, 0, 1} / std::sqrt(2));
+  triangles = {flat_triangle({-1, -1, 2}, {1, -1, 2}, {1, 1, 2})};
+  expect_near(frame_camera(loaded, Framing::fit, 4, 3).camera_to_world.z, {0, 0, 1});
+}
+
 TEST(FrameCamera, file_stays_where_the_file_puts_it) {
   LoadedScene loaded = box(4.0 / 3);
   const Camera camera = frame_camera(loaded, Framing::file, 480, 360);
