@@ -1,6 +1,7 @@
 #include "pt/scene/load_collada.h"
 
 #include "pt/error.h"
+#include "pt/geometry/spawn_ray.h"
 #include "pt/scene/collada/lights.h"
 #include "pt/scene/collada/nodes.h"
 #include "pt/scene/collada/numbers.h"
@@ -9,6 +10,7 @@
 #include "pt/scene/field_of_view.h"
 #include "pt/scene/frame_camera.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -133,6 +135,23 @@ void choose_lights(const Document& document, const LoadOptions& options, LoadedS
                 ": a white sky lights it from above; --light camera puts a lamp at the camera.");
 }
 
+// Rays start off their surface by kOffset times the distance of the surface from the world's origin.
+void note_on_distance(const Document& document, const LoadedScene& loaded) {
+  constexpr double kVisible = 1e-3;  // of the scene's size
+  const Box box = bounds(loaded.scene.primitives);
+  const double size = max_abs(box.extent());
+  double far = std::max(max_abs(box.min), max_abs(box.max));
+  if (loaded.camera && loaded.camera->sees_surfaces) {
+    far = std::max(far, max_abs(loaded.camera->position));
+  }
+  if (!(kOffset * far > kVisible * size)) return;
+  document.note("the scene or its camera is " + shown(far / size) +
+                " times the scene's size from the world's origin: rays start " +
+                shown(kOffset * far / size) +
+                " of that size off their surfaces, so that light is wrong in details of this size; "
+                "move the scene to the origin, or scale its parts.");
+}
+
 // Notes are of one kind if they differ in names and numbers alone.
 std::string kind_of(const std::string& note) {
   std::string kind;
@@ -201,6 +220,7 @@ LoadedScene load_collada(const std::filesystem::path& file, const LoadOptions& o
   loaded.ignores_emission = surfaces.ignores_emission;
   choose_lights(document, options, loaded);
   if (loaded.camera) loaded.camera->sees_surfaces = sees_surfaces(*loaded.camera, primitives);
+  note_on_distance(document, loaded);
   document.note_on_the_whole();
   loaded.notes = once_per_kind(notes);
   assert(std::ssize(loaded.scene.material_of) == primitives.size());

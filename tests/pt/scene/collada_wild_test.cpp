@@ -245,6 +245,21 @@ TEST(ShortFiles, say_much_in_a_light_or_a_camera) {
   EXPECT_EQ(load(text).camera.value().hfov_deg, 60);
 }
 
+// The offset of rays is 2^-33 of the distance from the origin, and a thousandth of the size from a ratio of 8.6e6 on.
+TEST(FarAway, is_said_where_rays_start_visibly_off_their_surfaces) {
+  const auto is_said = [](const std::string& x, const std::string& scale) {
+    SceneText text = one_triangle();
+    text.nodes = node("<translate>" + x + " 0 0</translate><scale>" + scale + " 1 1</scale>" +
+                      instance("tri"));
+    return has_note(load(text), "times the scene's size from the world's origin");
+  };
+  EXPECT_FALSE(is_said("0", "1"));
+  EXPECT_FALSE(is_said("8e6", "1"));
+  EXPECT_TRUE(is_said("9e6", "1"));
+  EXPECT_TRUE(is_said("-1e10", "1"));
+  EXPECT_FALSE(is_said("1e9", "1e9"));
+}
+
 // The rule of --camera course depends on who wrote the file.
 TEST(MissingParts, that_choose_the_rule_of_the_course_are_noted) {
   SceneText text = one_triangle();
