@@ -77,7 +77,7 @@ void set_pictures(data& out, const results::TaskResult& task, Places& places) {
   out.set("has_pictures_folded", wrong > 0 && order.size() > 1);
 }
 
-// What the line of a task has.
+// The members that the line of a task shows, folded or above.
 data line_data(const results::TaskResult& task) {
   data out;
   out.set("number", task.number);

@@ -197,7 +197,7 @@ std::string made(const results::PictureResult& picture) {
   return text + ".";
 }
 
-// How sure the verdict is, in one sentence; the table has the other blocks.
+// One sentence on how sure the verdict is; the table has the other blocks.
 std::string evidence(const results::PictureResult& picture) {
   if (picture.cells.empty()) return "";
   const results::FailingCell& first = picture.cells[0];

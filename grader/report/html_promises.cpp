@@ -84,7 +84,7 @@ data promise_data(const results::TaskResult& task, const results::PromiseResult&
   return out;
 }
 
-// What is said of the promises that are folded: "13 more promises fail; work on this one".
+// The line above the promises that are folded: "13 more promises fail; work on this one".
 std::string fold_text(const results::TaskResult& task, const Promises& folded, bool one_leads) {
   const auto fails = std::ranges::count_if(folded, [&](const results::PromiseResult* each) {
     return state_of(task, *each) == results::State::fail;

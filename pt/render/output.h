@@ -5,7 +5,7 @@
 
 #include <string>
 
-// What the render program writes, and the picture that it goes on with.
+// The files that the render program writes, and the picture that it goes on with.
 
 namespace pt {
 

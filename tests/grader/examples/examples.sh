@@ -47,7 +47,7 @@ cp build/mistakes/hit_sphere/normal_inwards/hit_sphere.cpp "$folder"
 expect 1 'Your own hit_sphere fails 7 of your 15 valid examples' "$judge" hit_sphere --submission "$folder"
 cp reference/1_rays/hit_sphere.cpp "$folder"
 expect 0 'Your own hit_sphere passes your 15 valid examples.' "$judge" hit_sphere --submission "$folder"
-says '15 examples, held against' 'The 15 valid examples catch 18 of 18 wrong solutions' 'that only rare inputs show'
+says '15 examples, held against' 'The 15 valid examples catch 19 of 19 wrong solutions' 'that only rare inputs show'
 
 # The hunt: good examples find each of the wrong solutions that a seed chooses, weak ones do not find those that only they find.
 "$judge" hit_sphere --hunt --seed 1 --submission "$folder/weak" >"$folder/first" && complain "weak examples find solution 1"
