@@ -58,6 +58,10 @@ foreach(way recursion path_first_light_afterwards float_throughput survival_by_t
 endforeach()
 firstlight_apart_test(rest emission_at_every_vertex proof/bounces_not_apart_test.cpp)
 
+if(TARGET convert)
+  firstlight_script_test(convert rest pt/scene/convert.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS convert render)
+endif()
+
 # Compares the loader with assimp, on request: pt/scene/against_assimp.sh.
 find_package(assimp QUIET)
 if(TARGET assimp::assimp)

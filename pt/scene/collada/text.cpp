@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <locale>
 #include <optional>
@@ -45,6 +46,23 @@ std::optional<std::string> as_utf8(const std::string& bytes) {
   return std::string(text.data(), written);
 }
 
+// "a Wavefront OBJ" and the like, by how such files begin; empty if it is none that is known.
+std::string other_format(std::string_view head, std::uintmax_t size) {
+  const auto begins_a_line = [&](const char* word) {
+    return head.starts_with(word) || head.find("\n" + std::string(word)) != head.npos;
+  };
+  if (head.starts_with("glTF")) return "a binary glTF";
+  if (head.find("\"asset\"") != head.npos && head.find('{') != head.npos) return "a glTF";
+  if (head.starts_with("Kaydara FBX Binary") || head.starts_with("; FBX")) return "an FBX";
+  if (head.starts_with("ply\n") || head.starts_with("ply\r")) return "a PLY";
+  if (head.starts_with("solid") && head.find("facet") != head.npos) return "an STL";
+  if (begins_a_line("v ")) return "a Wavefront OBJ";
+  // A binary STL: 80 bytes, the number of triangles, and 50 bytes for each.
+  std::uint32_t triangles = 0;
+  if (head.size() >= 84) std::memcpy(&triangles, head.data() + 80, 4);
+  return size == 84 + std::uintmax_t{50} * triangles ? "a binary STL" : "";
+}
+
 // Checks the file before it reads all of it. A file that is not COLLADA is recognised by its
 // beginning, so that a large file of something else costs nothing.
 std::string read_file(const std::filesystem::path& file) {
@@ -70,8 +88,12 @@ std::string read_file(const std::filesystem::path& file) {
   const std::string head = as_utf8(text).value_or("<COLLADA");
   // The tag may have the prefix of a namespace.
   if (head.find("<COLLADA") == head.npos && head.find(":COLLADA") == head.npos) {
-    throw Error(name +
-                ":1: is not a COLLADA file (no <COLLADA> near its beginning); name a .dae file");
+    const std::string other = other_format(text, size);
+    throw Error(name + (other.empty()
+                            ? ":1: is not a COLLADA file (no <COLLADA> near its beginning); "
+                              "name a .dae file"
+                            : ": is not a COLLADA file but " + other +
+                                  "; ./run convert, in the whole project, makes a .dae of it"));
   }
   const std::size_t read = text.size();
   text.resize(size);

@@ -41,6 +41,15 @@ TEST(BadFiles, are_named) {
   EXPECT_THROW(load_collada(::testing::TempDir()), Error);
   expect_error("", "is empty");
   expect_error("hello", "not a COLLADA file");
+  expect_error("# cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+               "but a Wavefront OBJ; ./run convert");
+  expect_error("ply\nformat ascii 1.0\n", "but a PLY; ./run convert");
+  expect_error("solid s\n facet normal 0 0 1\n", "but an STL; ./run convert");
+  expect_error(std::string(80, 'x') + std::string("\1\0\0\0", 4) + std::string(50, 'y'),
+               "but a binary STL; ./run convert");
+  expect_error("{\"asset\": {\"version\": \"2.0\"}}", "but a glTF; ./run convert");
+  expect_error("glTF\2", "but a binary glTF; ./run convert");
+  expect_error("Kaydara FBX Binary  ", "but an FBX; ./run convert");
   expect_error("<svg/>", "not a COLLADA file");
   expect_error("<a><COLLADA/></a>", "outermost element");
   expect_error(std::string("<COLLADA>\0</COLLADA>", 20), "zero byte");
