@@ -19,7 +19,7 @@ Film picture_to_go_on_with(const RenderOptions& options);
 
 void write_pictures(const RenderOptions& options, const Film& film);
 
-// Why the picture has fewer samples than were asked for, and how to get them.
+// The reason why the picture has fewer samples than were asked for, and how to get them.
 std::string note_on_missing_samples(const RenderOptions& options, const Film& film,
                                     bool is_interrupted);
 

@@ -113,7 +113,7 @@ TEST(SampleLight, is_dark_from_behind) {
   EXPECT_EQ(inside.radiance, Rgb{});
 }
 
-// What a white surface with normal n at p reflects of a lamp that nothing hides, times pi.
+// The light that a white surface with normal n at p reflects of a lamp that nothing hides, times pi.
 double received(const Light& light, Vec3 p, Vec3 n, Sampler& sampler) {
   constexpr int kSamples = 200;
   double sum = 0;

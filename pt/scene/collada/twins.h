@@ -8,7 +8,7 @@
 
 namespace pt {
 
-// What surfaces in one place became.
+// The surfaces in one place, and what they became.
 struct Twins {
   std::size_t equal = 0;     // that lay on another one and faced the same way: removed
   std::size_t opposite = 0;  // that lay on the back of another one: its other side now

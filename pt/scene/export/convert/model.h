@@ -11,7 +11,7 @@
 
 namespace pt {
 
-// What is left of a model in another format: triangles with one diffuse colour per mesh.
+// The part of a model in another format that is kept: triangles with one diffuse colour per mesh.
 struct ModelMesh {
   std::vector<Vec3> p;
   std::vector<Vec3> n;  // one per corner, or none
