@@ -23,7 +23,8 @@ concept Is = std::same_as<std::remove_const_t<S>, Of>;
 
 FIRSTLIGHT_MEMBERS(Failure, input, what, got, expected, off_by, cause, statistical, cases_before,
                    simple, seed, integrated, replay)
-FIRSTLIGHT_MEMBERS(PromiseResult, name, words, bonus, held, points, seconds, failures, checks, likeness)
+FIRSTLIGHT_MEMBERS(PromiseResult, name, words, bonus, held, points, seconds, failures, checks,
+                   likeness)
 FIRSTLIGHT_MEMBERS(FailingCell, x, y, width, height, channel, off_by, evidence)
 FIRSTLIGHT_MEMBERS(PictureResult, recipe, title, state, text, integrated, samples, rounds, noise,
                    seconds, points, max_points, replay, width, height, golden, render, evidence,

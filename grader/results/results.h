@@ -74,7 +74,7 @@ struct PromiseResult {
   int points = 1;  // for keeping it
   double seconds = 0;
   std::vector<Failure> failures;
-  int checks = 0;  // the number of things that it checks; 0: not known
+  int checks = 0;       // the number of things that it checks; 0: not known
   double likeness = 0;  // to known mistakes that break it, from 0 to 1 (grader/mistakes/naming.h)
 
   bool operator==(const PromiseResult&) const = default;
@@ -140,7 +140,7 @@ struct TaskResult {
   int points = 0;      // for promises kept and pictures that are right
   int max_points = 0;  // of the pictures, and of all promises but bonus ones
   int bonus_points = 0;
-  int spared = 0;  // the part of `points` that is given back: one cause costs no more than its share
+  int spared = 0;  // the part of `points` that is given back: one cause costs a part of them
   Mistake mistake;
   std::vector<std::string> blocked_by;  // slugs of the tasks that it waits for
   std::vector<std::string> blamed;      // slugs: it would pass with the reference for any of them
