@@ -30,7 +30,7 @@ void share_diagonals(Scene& scene);
 // material of the second on its back.
 Twins merge_twins(Scene& scene);
 
-// How many triangles have another surface in their plane at their centre, which is not the same triangle.
+// The number of triangles that have another surface in their plane at their centre, which is not the same triangle.
 std::size_t count_overlaps(const Primitives& primitives);
 
 }  // namespace pt
