@@ -49,10 +49,10 @@ stops_in() {
   grep -qx 'This is your function, called with the smallest input that fails.' "$folder/gdb" ||
     complain "$wrong: it does not say where it is"
   triangle=$(in_gdb triangle)
-  # The simplest triangle fails too, along any axes: an edge from 0 to 1, and a corner half way along it and 1
+  # The simplest triangle fails too, along any axes: an edge from 0 to 1, and a corner beside its end and 1
   # away.
   corners=$(tr ' ' '\n' <<<"$triangle" | head -9 | sort -n | paste -sd' ')
-  [ "$corners" = '0 0 0 0 0 0 0.5 1 1' ] || complain "$wrong: '$triangle' is not the smallest triangle"
+  [ "$corners" = '0 0 0 0 0 0 1 1 1' ] || complain "$wrong: '$triangle' is not the smallest triangle"
   [ "$triangle" = "$(reported 'Triangle ')" ] || complain "$wrong: not the triangle of the report"
   [ "$(in_gdb ray ', t_min')" = "$(reported 'Ray from ' ', t in')" ] ||
     complain "$wrong: not the ray of the report"
