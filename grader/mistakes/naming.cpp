@@ -97,6 +97,7 @@ std::vector<const Fingerprint*> name_by_battery(const KnownTask& known, const Ev
 
 std::map<std::string, double> likeness(const KnownTask& known, const Evidence& evidence) {
   const std::size_t calls = std::min(evidence.answers.size(), known.right.size());
+  const auto mistakes = static_cast<double>(known.mistakes.size());
   // A call that is left out of the file of a known mistake has the right answer there.
   std::vector<bool> wrong(calls);
   std::vector<int> wrong_in(calls);
@@ -114,7 +115,7 @@ std::map<std::string, double> likeness(const KnownTask& known, const Evidence& e
     double in_both = 0, in_one = 0;
     for (std::size_t call = 0; call < calls; ++call) {
       const bool other = is_wrong_in(mistake, call);
-      const double weight = std::log((std::ssize(known.mistakes) + 1) / (wrong_in[call] + 0.5));
+      const double weight = std::log((mistakes + 1) / (wrong_in[call] + 0.5));
       if (wrong[call] && other) in_both += weight;
       if (wrong[call] || other) in_one += weight;
     }
