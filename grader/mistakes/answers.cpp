@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,19 @@ bool always_the_same(const Answers& answers) {
   std::map<std::size_t, const Answer*> first;  // by the number of values
   return std::ranges::all_of(answers, [&](const Answer& answer) {
     return same(*first.try_emplace(answer.values.size(), &answer).first->second, answer);
+  });
+}
+
+bool shows_nothing(const Answers& answers) {
+  constexpr std::size_t kChannels = 3;
+  const auto is_estimate = [](const Answer& answer) { return !answer.errors.empty(); };
+  const bool estimates = std::ranges::any_of(answers, is_estimate);
+  return std::ranges::all_of(answers, [&](const Answer& answer) {
+    if (!answer.ended.empty()) return false;
+    if (estimates && !is_estimate(answer)) return true;
+    const std::size_t n =
+        estimates ? std::min(answer.values.size(), kChannels) : answer.values.size();
+    return std::ranges::all_of(std::span(answer.values).first(n), [](double x) { return x == 0; });
   });
 }
 

@@ -21,6 +21,11 @@ using Answers = std::vector<Answer>;
 // equal. A crash or a timeout is an answer too.
 bool always_the_same(const Answers& answers);
 
+// Returns whether the task answers every call with black, with zeros or with nothing, such as no hit: then many mistakes look alike,
+// and a name would be a guess. The channels come first in an estimate; calls that are not estimates, if some are,
+// ask how the sampler is used.
+bool shows_nothing(const Answers& answers);
+
 // Returns an answer as JSON: "timeout", or [1, 0.5] for exact numbers, or {"value": [1.02], "error":
 // [0.03]} for means. Numbers are rounded to the digits that a comparison needs.
 nlohmann::json describe(const Answer& answer);

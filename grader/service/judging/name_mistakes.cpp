@@ -5,7 +5,6 @@
 #include "grader/service/judging/ask_battery.h"
 #include "pt/file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -38,24 +37,6 @@ std::optional<mistakes::Evidence> evidence_of(const build::Config& config,
     if (!promise.bonus && !promise.held) evidence.broken.insert(promise.name);
   }
   return evidence;
-}
-
-// Returns whether the task answers every call with black, with zeros or with nothing, such as no hit: then many mistakes look alike,
-// and a name would be a guess. The channels come first in an estimate; calls that are not estimates, if some are,
-// ask how the sampler is used.
-bool shows_nothing(const mistakes::Answers& answers) {
-  constexpr std::size_t kChannels = 3;
-  const bool estimates = std::ranges::any_of(
-      answers, [](const mistakes::Answer& answer) { return !answer.errors.empty(); });
-  return std::ranges::all_of(answers, [=](const mistakes::Answer& answer) {
-    if (!answer.ended.empty()) return false;
-    if (estimates && answer.errors.empty()) return true;
-    const std::size_t n =
-        std::min(answer.values.size(), estimates ? kChannels : answer.values.size());
-    return std::all_of(answer.values.begin(),
-                       answer.values.begin() + static_cast<std::ptrdiff_t>(n),
-                       [](double value) { return value == 0; });
-  });
 }
 
 results::Mistake described(const std::vector<const mistakes::Fingerprint*>& found) {
@@ -97,7 +78,7 @@ void name_mistakes(const build::Config& config, const build::Builder& builder,
       if (const auto found = likeness.find(promise.name); found != likeness.end())
         promise.likeness = found->second;
     }
-    if (shows_nothing(evidence->answers)) return;
+    if (mistakes::shows_nothing(evidence->answers)) return;
     results::Mistake mistake = described(mistakes::name_by_battery(known, *evidence));
     if (mistake.empty()) return;
     mistake.always_the_same = mistakes::always_the_same(evidence->answers);

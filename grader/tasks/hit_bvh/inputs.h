@@ -135,47 +135,46 @@ inline void lengthen(pt::Ray& ray, double factor) {
   ray.t_max /= factor;
 }
 
-// The number of primitives, whether a scene of any scale has the scale 1 all the same, and the seed from which everything else
-// about it follows.
+// The number of primitives, whether the scene has the scale 1, and the seed from which everything else about it follows.
 struct Lot {
   int n;
-  bool at_one = false;
+  bool at_one = true;
   std::uint64_t seed = 0;
 };
 
 // A scene with fewer primitives is a different scene, and most mistakes are rarer in it. So
 // shrinking tries several seeds per number of primitives: all small numbers in turn.
-inline rc::Gen<Lot> some_lot(int least, int most) {
+inline rc::Gen<Lot> some_lot(int least, int most, bool any_scale = false) {
   constexpr int kNumbers = 6, kSeeds = 10;
   return rc::Gen<Lot>([=](const rc::Random& random, int size) {
     const auto [number, kind, seed] =
         rc::gen::tuple(whole(least, most), whole(0, 9), sampler_seed())(random, size).value();
-    return rc::shrinkable::shrinkRecur(Lot{number, kind < 3, seed}, [=](const Lot& lot) {
-      std::vector<Lot> smaller;
-      for (const bool at_one : {true, false}) {
-        for (int k = 0; k < kSeeds; ++k) {
-          for (int n = least; n < std::min(lot.n, least + kNumbers); ++n) {
-            smaller.push_back({n, at_one, lot.seed + k});
+    return rc::shrinkable::shrinkRecur(
+        Lot{number, !any_scale || kind < 3, seed}, [=](const Lot& lot) {
+          std::vector<Lot> smaller;
+          for (const bool at_one : {true, false}) {
+            for (int k = 0; k < kSeeds; ++k) {
+              for (int n = least; n < std::min(lot.n, least + kNumbers); ++n) {
+                smaller.push_back({n, at_one, lot.seed + k});
+              }
+            }
+            if (lot.at_one) break;
           }
-        }
-        if (lot.at_one) break;
-      }
-      return rc::seq::fromContainer(smaller);
-    });
+          return rc::seq::fromContainer(smaller);
+        });
   });
 }
 
 inline Case some_case(Shape shape, const Lot& lot, const Wanted& wanted, RandomNumbers& make) {
   const int max_leaf = make.whole(wanted.min_leaf, wanted.max_leaf);
-  const bool any_scale = wanted.any_scale && !lot.at_one;
-  const double scale = any_scale ? std::pow(10, make.whole(-6, 6)) : 1;
+  const double scale = lot.at_one ? 1 : std::pow(10, make.whole(-6, 6));
   Case c;
   c.how = words(shape);
   c.primitives = some_primitives(lot.n, wanted, make);
   c.ray = some_clear_ray(c.primitives, wanted, make);
   enlarge(c, scale);
   c.bvh = tree_of(c.primitives, shape, max_leaf, scale * wanted.padding, make);
-  if (any_scale) lengthen(c.ray, std::pow(10, make.whole(-6, 5)));
+  if (!lot.at_one) lengthen(c.ray, std::pow(10, make.whole(-6, 5)));
   return c;
 }
 
@@ -198,7 +197,7 @@ inline std::vector<Case> ranges_along_a_row(RandomNumbers& make) {
 
 inline rc::Gen<Case> with_tree(const std::vector<Shape>& shapes, Wanted wanted = {}) {
   return rc::gen::exec([=] {
-    const Lot lot = *some_lot(wanted.least, wanted.most);
+    const Lot lot = *some_lot(wanted.least, wanted.most, wanted.any_scale);
     const Shape shape = *rc::gen::elementOf(shapes);
     RandomNumbers make(lot.seed);
     return some_case(shape, lot, wanted, make);

@@ -362,29 +362,24 @@ PROMISE(trace_path, draws_from_the_sampler_alone) {
   };
   for_all([=] { expect_independent(round_room(gray(0.5, 0.8))); }, 3);
   for_all([=] { expect_independent(glowing_room(gray(0.5, 0.8))); }, 3);
+  const auto expect_to_move_on = [](const Case& c) {
+    expect_moves_on(c.seed, [&](pt::Sampler& sampler) {
+      return pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
+    });
+  };
   // Direct light alone moves the sampler on too.
   for (const Direct direct : {Direct::lights, Direct::hemisphere}) {
     for_all(
         [=] {
-          const Case c = *asked_of(wall_under_the_sky(color(0.1, 1), rc::gen::just(direct)),
-                                   rc::gen::just(Bounces{1, 1}));
-          expect_moves_on(c.seed, [&](pt::Sampler& sampler) {
-            return pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
-          });
+          expect_to_move_on(*asked_of(wall_under_the_sky(color(0.1, 1), rc::gen::just(direct)),
+                                      rc::gen::just(Bounces{1, 1})));
         },
         5);
   }
   // All paths of these scenes leave them.
   for (const auto& open :
        {sunny_wall(gray(0.2, 1)), wall_under_the_sky(color(0.1, 1), either_way())}) {
-    for_all(
-        [&] {
-          const Case c = *asked_of(open, bounces_from(2, 2, 5));
-          expect_moves_on(c.seed, [&](pt::Sampler& sampler) {
-            return pt::trace_path(c.room.scene, c.room.point, c.settings, sampler);
-          });
-        },
-        10);
+    for_all([&] { expect_to_move_on(*asked_of(open, bounces_from(2, 2, 5))); }, 10);
   }
   // Calls in turn: the surface or the light has other numbers, or the bounces 0 to 1 become 1 to 0, of which there are none.
   for_all(

@@ -238,6 +238,17 @@ TEST(known_mistakes, are_described_above_their_code) {
   EXPECT_EQ(print.hint, "Look here, and there.");
 }
 
+TEST(answers, show_nothing_if_all_are_black_or_zero_or_missing) {
+  const Answer none = exact({}), black{"", {0, 0, 0, 0, 1}, {0, 0, 0, 0, 0.1}};
+  const Answer lit{"", {0, 0.2, 0, 0, 1}, {0, 0.1, 0, 0, 0.1}}, of_the_sampler = exact({2, 1});
+  EXPECT_TRUE(shows_nothing({none, exact({0, 0})}));
+  EXPECT_FALSE(shows_nothing({none, exact({0, 1})}));
+  EXPECT_FALSE(shows_nothing({none, ended("crash")}));
+  EXPECT_TRUE(shows_nothing({black, of_the_sampler}));
+  EXPECT_FALSE(shows_nothing({black, lit, of_the_sampler}));
+  EXPECT_FALSE(shows_nothing({of_the_sampler}));  // a number of a task without estimates
+}
+
 // Three calls, right where the answer is 1. Everybody is wrong in the first; so that says less than the other two.
 TEST(likeness, is_the_share_of_the_calls_that_both_answer_wrongly) {
   const auto answers = [](double x, double y, double z) {
