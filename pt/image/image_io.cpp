@@ -77,10 +77,13 @@ void check_image_target(const fs::path& path) {
   check_target(path);
 }
 
-void write_image(const fs::path& path, const Film& film, double exposure) {
+bool is_exr_name(const fs::path& path) { return extension(path) == ".exr"; }
+
+void write_image(const fs::path& path, const Film& film, double exposure,
+                 const std::string& settings) {
   expect_known_ending(path);
-  if (extension(path) == ".exr") {
-    write_exr(path, film);
+  if (is_exr_name(path)) {
+    write_file(path, encode_exr(film, settings));
   } else {
     write_png(path, mean(film), exposure);
   }

@@ -15,8 +15,12 @@ namespace pt {
 // Throws pt::Error unless write_image knows the extension of `path` and could write there.
 void check_image_target(const std::filesystem::path& path);
 
-// Writes .png (the tone-mapped mean) or .exr (the whole film, without exposure), by the extension.
-void write_image(const std::filesystem::path& path, const Film& film, double exposure = 1);
+// Returns whether the name ends in .exr, in any case.
+bool is_exr_name(const std::filesystem::path& path);
+
+// Writes .png (the tone-mapped mean) or .exr (the whole film, without exposure, and the settings in its header), by the extension.
+void write_image(const std::filesystem::path& path, const Film& film, double exposure = 1,
+                 const std::string& settings = "");
 
 // The bytes of a PNG file.
 std::string encode_png(const Picture& picture);

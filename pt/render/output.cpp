@@ -10,7 +10,6 @@
 #include "pt/render/rounds.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -24,12 +23,6 @@ namespace {
 std::filesystem::path beside(const std::filesystem::path& picture, const char* ending) {
   std::filesystem::path path = picture;
   return path.replace_filename(picture.stem().string() + ending);
-}
-
-bool is_exr_name(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".exr";
 }
 
 template <class Value>
@@ -100,11 +93,8 @@ Film picture_to_go_on_with(const RenderOptions& options) {
 }
 
 void write_pictures(const RenderOptions& options, const Film& film) {
-  if (is_exr_name(options.output)) {
-    write_file(options.output, encode_exr(film, settings_line(options)));
-  } else {
-    write_image(options.output, film, options.exposure);
-  }
+  write_image(options.output, film, options.exposure,
+              is_exr_name(options.output) ? settings_line(options) : "");
   fmt::print("wrote {}\n", printable(options.output.string()));
   if (!options.adaptive) return;
   const SampleMap map = sample_map(film, options.adaptive->max_samples);
