@@ -4,10 +4,37 @@
 #include "pt/printable.h"
 #include "pt/scene/export/convert/model.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+// Runs `work` in a child process and returns its status: the library that reads models crashes on
+// some damaged ones, and does not end on others. Throws Error where it was stopped.
+template <class Work>
+int run_apart(const std::filesystem::path& model, Work work) {
+  const pid_t child = fork();
+  if (child < 0) throw pt::Error(std::string("cannot start a process: ") + std::strerror(errno));
+  if (child == 0) {
+    constexpr rlimit kSeconds{600, 600};
+    setrlimit(RLIMIT_CPU, &kSeconds);
+    _exit(pt::run_program(work));
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  throw pt::Error("cannot read '" + model.string() + "': assimp was stopped (" +
+                  strsignal(WTERMSIG(status)) + "); the file is probably damaged");
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
@@ -30,18 +57,20 @@ int main(int argc, char** argv) {
       throw pt::Error("cannot write '" + scene.string() + "': the scene's name has to end in .dae");
     }
     pt::check_target(scene);
-    const pt::Model model = pt::read_model(model_file);
-    for (const auto& [what, count] : model.lost) {
-      fmt::print(stderr, "not kept: {} ({})\n", what, count);
-    }
-    const auto around = box   ? pt::Surroundings::box
-                        : sky ? pt::Surroundings::sky
-                              : pt::Surroundings::none;
-    pt::write_file(scene, to_collada(model, around, up == "z"));
-    std::size_t triangles = 0;
-    for (const pt::ModelMesh& mesh : model.meshes) triangles += mesh.faces.size();
-    fmt::print("wrote {}: {} meshes, {} triangles\n", pt::printable(scene.string()),
-               model.meshes.size(), triangles);
-    return 0;
+    return run_apart(model_file, [&] {
+      const pt::Model model = pt::read_model(model_file);
+      for (const auto& [what, count] : model.lost) {
+        fmt::print(stderr, "not kept: {} ({})\n", what, count);
+      }
+      const auto around = box   ? pt::Surroundings::box
+                          : sky ? pt::Surroundings::sky
+                                : pt::Surroundings::none;
+      pt::write_file(scene, to_collada(model, around, up == "z"));
+      std::size_t triangles = 0;
+      for (const pt::ModelMesh& mesh : model.meshes) triangles += mesh.faces.size();
+      fmt::print("wrote {}: {} meshes, {} triangles\n", pt::printable(scene.string()),
+                 model.meshes.size(), triangles);
+      return 0;
+    });
   });
 }
