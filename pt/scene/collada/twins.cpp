@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace pt {
 
@@ -151,6 +155,28 @@ std::uint64_t mixed(std::uint64_t z) {  // SplitMix64 (Steele, Lea and Flood 201
   return z ^ (z >> 31);
 }
 
+double largest_coordinate(const Triangle& t) {
+  return std::max({max_abs(t.p0), max_abs(t.p1), max_abs(t.p2)});
+}
+
+// The triangles whose planes come as near to the origin as another one's, at the same point to a
+// millionth. Of a curved mesh that is hardly any.
+std::vector<Triangle> in_shared_planes(const std::vector<Triangle>& triangles) {
+  double largest = 0;
+  for (const Triangle& t : triangles) largest = std::max(largest, largest_coordinate(t));
+  const auto hash_of_plane = [&](const Triangle& t) {
+    const Vec3 n = normalize(geometric_normal(t));
+    const Vec3 nearest = (1e6 * dot(n, t.p0) / largest) * n;
+    return hash_of({std::round(nearest.x), std::round(nearest.y), std::round(nearest.z)});
+  };
+  std::unordered_map<std::uint64_t, int> count;
+  for (const Triangle& t : triangles) ++count[hash_of_plane(t)];
+  std::vector<Triangle> shared;
+  std::ranges::copy_if(triangles, std::back_inserter(shared),
+                       [&](const Triangle& t) { return count[hash_of_plane(t)] > 1; });
+  return shared;
+}
+
 }  // namespace
 
 std::uint64_t hash_of(Vec3 p) {
@@ -170,14 +196,15 @@ std::size_t count_overlaps(const Primitives& primitives) {
   constexpr std::size_t kMaxTested = 1'000'000;  // a larger file would take seconds longer
   constexpr double kApart = 1e-9;                // of the largest coordinate: not on purpose
   if (primitives.triangles.size() > kMaxTested) return 0;
-  const WideBvh tree = WideBvh::build(primitives);
+  const Primitives candidates{in_shared_planes(primitives.triangles), {}};
+  const WideBvh tree = WideBvh::build(candidates);
   std::size_t overlaps = 0;
-  for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
-    const Triangle& t = primitives.triangles[i];
+  for (std::size_t i = 0; i < candidates.triangles.size(); ++i) {
+    const Triangle& t = candidates.triangles[i];
     const Vec3 center = (t.p0 + t.p1 + t.p2) / 3, n = normalize(geometric_normal(t));
-    const double apart = kApart * std::max({max_abs(t.p0), max_abs(t.p1), max_abs(t.p2)});
+    const double apart = kApart * largest_coordinate(t);
     const Ray through{center - apart * n, n, 0, 2 * apart, static_cast<std::int64_t>(i)};
-    overlaps += tree.closest(primitives, through) ? 1 : 0;
+    overlaps += tree.closest(candidates, through) ? 1 : 0;
   }
   return overlaps;
 }
