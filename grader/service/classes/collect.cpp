@@ -206,6 +206,13 @@ std::string Collector::moodle_table(const std::vector<platforms::GradeRow>& rows
                     "not be changed: it stays",
                     plan_.worksheet, filled.locked));
   }
+  if (!filled.unclear.empty()) {
+    remarks_.push_back(
+        fmt::format("{}: nobody knows which submission is that of {}: two have such a name, or two "
+                    "groups; their members get no "
+                    "grade here. Give the groups other names in Moodle, and download both again",
+                    plan_.worksheet, some_of(filled.unclear)));
+  }
   if (!filled.strays.empty()) {
     const std::string names = plan_.real_names.empty() ? ": " + some_of(filled.strays) : "";
     remarks_.push_back(fmt::format("{} has no row for {} of the submissions{}", plan_.worksheet,

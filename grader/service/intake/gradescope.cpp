@@ -22,6 +22,12 @@ std::string text_of(const YAML::Node& table, const char* key) {
   return value && value.IsScalar() ? value.as<std::string>("") : "";
 }
 
+// IDs are joined by a comma and a blank, which a learner's own may have in it.
+std::string as_one_id(std::string id) {
+  for (std::size_t at = 0; (at = id.find(", ", at)) != id.npos;) id.erase(at + 1, 1);
+  return id;
+}
+
 Submitters submitters_of(const YAML::Node& entry) {
   std::vector<std::string> names, ids;
   const YAML::Node people = value_of(entry, ":submitters");
@@ -31,7 +37,7 @@ Submitters submitters_of(const YAML::Node& entry) {
     const std::string name = text_of(person, ":name"), number = text_of(person, ":sid");
     const std::string id = number.empty() ? text_of(person, ":email") : number;
     if (!name.empty()) names.push_back(name);
-    if (!id.empty()) ids.push_back(id);
+    if (!id.empty()) ids.push_back(as_one_id(id));
   }
   return {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{}", fmt::join(ids, ", "))};
 }

@@ -144,14 +144,34 @@ class Intake {
       if (label) add_piece({entry.path(), *label});
       if (!label) alone.push_back(entry);
     }
+    for (const fs::directory_entry& entry : alone) {
+      if (is_handed_in(entry)) ++claims_[learner_of(entry)];
+    }
     start(alone.size() + pieces_.size());
     for (const fs::directory_entry& entry : alone) {
       add(entry);
       count();
     }
+    for (auto& [key, pieces] : pieces_) note_rivals(pieces);
     for (auto& [key, pieces] : pieces_) {
       result_.everybody.push_back(one_submission(std::move(pieces), tools_));
       count();
+    }
+  }
+
+  // A file that may be that of another learner is nobody's.
+  void note_rivals(const Pieces& pieces) {
+    for (const Piece& piece : pieces.all) {
+      if (piece.label.rival_key.empty()) continue;
+      for (const std::string& key : {piece.label.key, piece.label.rival_key}) {
+        const auto one = pieces_.find(key);
+        if (one == pieces_.end()) continue;
+        one->second.by.problem = fmt::format(
+            "'{}' may be a file of '{}' with the ID {}, or of '{}' with the ID {}: ask whose it "
+            "is, and rename it",
+            as_file_name(piece.path.filename()), as_file_name(piece.label.name), piece.label.id,
+            as_file_name(piece.label.rival_name), piece.label.rival_id);
+      }
     }
   }
 
@@ -167,6 +187,14 @@ class Intake {
     HandedIn by;
     by.name = name;
     by.problem = fault_of(entry.path());
+    const std::string learner = learner_of(entry);
+    const bool is_one_of_two = is_handed_in(entry) && claims_[learner] > 1;
+    if (is_one_of_two && by.problem.empty()) {
+      by.problem = fmt::format(
+          "there is another '{}', in a folder or an archive, and nobody knows whose work is whose: "
+          "keep one, or give each the name of its learner",
+          as_file_name(learner));
+    }
     if (entry.is_symlink()) {
       by.problem = "it is a link; copy what it points to";
       result_.everybody.push_back(by);
@@ -174,12 +202,22 @@ class Intake {
       by.folder = entry.path();
       add_prepared(by);
     } else if (is_file(entry) && (is_packed(name) || !by.problem.empty())) {
-      by.name = is_packed(name) ? without_ending(name) : name;
+      by.name = is_one_of_two ? name : learner;
       if (by.problem.empty()) by = with(by, prepare_submission(by.name, entry.path(), tools_));
       result_.everybody.push_back(by);
     } else {
       add_unclaimed(name);  // or a pipe or a device, which no platform exports
     }
+  }
+
+  static bool is_handed_in(const fs::directory_entry& entry) {
+    return is_folder(entry) || (is_file(entry) && is_packed(entry.path().filename()));
+  }
+
+  // The name of a folder or an archive that no platform has named.
+  static std::string learner_of(const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename();
+    return is_handed_in(entry) && is_file(entry) ? without_ending(name) : name;
   }
 
   void add_unclaimed(const std::string& name) {
@@ -255,6 +293,7 @@ class Intake {
   int folders_ = 0;
   Labels labels_;
   std::map<std::string, std::string> faults_;  // by path
+  std::map<std::string, int> claims_;  // how many folders and archives have a learner's name
   std::map<std::string, Pieces> pieces_;
   HandedInByAll result_;
 };

@@ -152,24 +152,35 @@ bool is_blackboards_date(std::string_view text) {
 
 double number(const std::string& digits) { return std::stod(digits); }
 
-Found canvas_among(const std::string& name, double least) {
+Found canvas_among(const std::string& name, const Numbers& certain) {
+  const auto is_of_a_file = [&](const Label& label) {
+    const double value = number(label.order);
+    return value >= certain.least / 2 && value <= certain.largest * 2;
+  };
   if (Found label = anonymous(name)) return label;
   for (std::size_t at = name.find('_'); at != name.npos; at = name.find('_', at + 1)) {
     const Found first = canvas_at(name, at);
     if (!first) continue;
     const Found second = first->late ? Found() : canvas_at(name, at + 1 + first->id.size());
-    const bool is_second = second && number(second->id) < least / 2 &&
-                           (second->text || number(second->order) > number(second->id));
+    if (!second) return first;
+    const bool may_be_first = first->text || is_of_a_file(*first);
+    const bool may_be_second = second->text || is_of_a_file(*second);
+    const bool is_second = may_be_first == may_be_second
+                               ? !may_be_first && number(second->order) > number(second->id)
+                               : may_be_second;
     Found label = is_second ? second : first;
-    label->certain = !second;
+    label->certain = false;
+    if (may_be_first && may_be_second && !second->text) {
+      label->rival_key = second->key;
+      label->rival_name = second->name;
+      label->rival_id = second->id;
+    }
     return label;
   }
   return {};
 }
 
-Found canvas(const std::string& name) {
-  return canvas_among(name, std::numeric_limits<double>::infinity());
-}
+Found canvas(const std::string& name) { return canvas_among(name, {}); }
 
 Found moodle(const std::string& name) {
   constexpr std::string_view kWords = "_assignsubmission_";

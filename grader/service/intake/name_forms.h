@@ -2,6 +2,7 @@
 
 #include "grader/service/intake/owner.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -12,11 +13,16 @@ namespace grader::intake {
 // A name as a platform would read it; nothing if it has another form.
 using Found = std::optional<Label>;
 
+// The numbers of files that are known for certain.
+struct Numbers {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+};
+
 // A name may end in a number: team_7_123_900_work.zip is work.zip of team_7 with the ID 123, and
-// ada_123_900_1_rays.zip is 1_rays.zip of ada. Canvas has far more files than users, so the number
-// of a file is larger than an ID, and mostly larger than what a learner's own name for it begins
-// with. `least` is the smallest number of a file that is known for certain.
-Found canvas_among(const std::string& name, double least);
+// ada_123_900_1_rays.zip is 1_rays.zip of ada. Canvas counts the files of a school, so those of one
+// assignment have numbers of one size. If only one reading has such a number, that one is right; if both have, the label
+// names the rival. Without numbers to compare with, that of a file is larger than an ID, as Canvas has more files than users.
+Found canvas_among(const std::string& name, const Numbers& certain);
 Found canvas(const std::string& name);
 
 // Moodle (mod/assign/classes/downloader.php): NAME_NUMBER_assignsubmission_file[_FILE]. Moodle

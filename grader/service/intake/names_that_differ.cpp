@@ -32,6 +32,12 @@ std::set<std::string> ids_of(const HandedIn& by) {
   return ids;
 }
 
+std::map<std::string, int> count_of_names(const std::vector<HandedIn>& all) {
+  std::map<std::string, int> count;
+  for (const HandedIn& each : all) ++count[folded(each.name)];
+  return count;
+}
+
 }  // namespace
 
 std::vector<HandedIn> with_ids_that_differ(std::vector<HandedIn> all) {
@@ -54,8 +60,21 @@ std::vector<HandedIn> with_ids_that_differ(std::vector<HandedIn> all) {
 
 std::vector<HandedIn> with_names_that_differ(std::vector<HandedIn> all) {
   for (HandedIn& each : all) each.name = as_file_name(each.name);
-  std::map<std::string, int> count;
-  for (const HandedIn& each : all) ++count[folded(each.name)];
+  // Twice: a name with an ID behind it may be what somebody else is called.
+  std::set<HandedIn*> have_ids;
+  for (int i = 0; i < 2; ++i) {
+    const std::map<std::string, int> before = count_of_names(all);
+    for (HandedIn& each : all) {
+      if (before.at(folded(each.name)) > 1 && !each.id.empty() && have_ids.insert(&each).second)
+        each.name += " (" + as_file_name(std::string(pt::beginning(each.id, 30))) + ")";
+    }
+  }
+  // A number behind a name must not make it that of somebody else.
+  const std::map<std::string, int> count = count_of_names(all);
+  std::stable_partition(all.begin(), all.end(), [&](const HandedIn& each) {
+    const std::string key = folded(each.name);
+    return count.at(key) == 1 && !reserved_names().contains(key);
+  });
   // A name with marks must also differ from names that have the marks in the letter.
   std::stable_partition(all.begin(), all.end(),
                         [](const HandedIn& each) { return !has_marks(each.name); });
@@ -67,8 +86,6 @@ std::vector<HandedIn> with_names_that_differ(std::vector<HandedIn> all) {
     return used.insert(key).second;
   };
   for (HandedIn& each : all) {
-    if (count[folded(each.name)] > 1 && !each.id.empty())
-      each.name += " (" + as_file_name(std::string(pt::beginning(each.id, 30))) + ")";
     std::string name = each.name;
     for (int i = 2; !is_new(name); ++i) name = fmt::format("{} ({})", each.name, i);
     each.name = name;

@@ -23,14 +23,16 @@ using Forms = std::array<Found, kForms.size()>;  // one name, as each platform w
 
 // Reads uncertain names of Canvas again, now that the numbers of the others' files are known.
 void read_again(std::map<std::string, Forms>& all) {
-  double least = std::numeric_limits<double>::infinity();
+  Numbers certain;
   for (const auto& [name, forms] : all) {
     const Found& label = forms[kCanvas];
-    if (label && label->certain && !label->text) least = std::min(least, number(label->order));
+    if (!label || !label->certain || label->text) continue;
+    certain.least = std::min(certain.least, number(label->order));
+    certain.largest = std::max(certain.largest, number(label->order));
   }
   for (auto& [name, forms] : all) {
     Found& label = forms[kCanvas];
-    if (label && !label->certain) label = canvas_among(name, least);
+    if (label && !label->certain) label = canvas_among(name, certain);
   }
 }
 

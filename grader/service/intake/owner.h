@@ -23,6 +23,8 @@ struct Label {
   bool late = false;
   bool text = false;    // typed into a form, not uploaded
   bool certain = true;  // the name cannot be read in another way
+  // Who else may own it; empty: nobody.
+  std::string rival_key{}, rival_name{}, rival_id{};
 };
 
 // The labels of all files and folders of an export. The form of a name is decided for the class as

@@ -142,7 +142,8 @@ Work unpack_at(const fs::path& archive, const IntakeTools& tools, int depth) {
   return {folder, {}, problem};
 }
 
-// Adds the files of an archive that lies beside the task files. These count if both have a file.
+// Adds the files of an archive that lies beside the task files. These count if both have a file,
+// unless only that of the archive is written.
 void add_archive(Work& work, const fs::path& archive, const IntakeTools& tools, int depth) {
   const Work inner = unpack_at(archive, tools, depth);
   const std::string name = as_file_name(archive.filename());
@@ -156,7 +157,9 @@ void add_archive(Work& work, const fs::path& archive, const IntakeTools& tools, 
   std::vector<std::string> added, other;
   for (const auto& [slug, file] : inner.files) {
     const auto [entry, is_new] = work.files.try_emplace(slug, file);
-    if (is_new) added.push_back(slug);
+    const bool is_written = !is_new && is_stub(entry->second) && !is_stub(file);
+    if (is_written) entry->second = file;
+    if (is_new || is_written) added.push_back(slug);
     if (!is_new && !are_equal(file, entry->second)) other.push_back(slug);
   }
   if (!added.empty()) {
@@ -246,6 +249,7 @@ Work settle_attempts(const std::vector<fs::path>& folders, const IntakeTools& to
     }
     for (const auto& [slug, file] : all.files) earlier.insert(slug);
     for (const auto& [slug, file] : work.files) {
+      if (all.files.contains(slug) && is_stub(file) && !is_stub(all.files[slug])) continue;
       earlier.erase(slug);
       all.files[slug] = file;
     }
@@ -253,10 +257,11 @@ Work settle_attempts(const std::vector<fs::path>& folders, const IntakeTools& to
     all.is_flat = true;
     all.notes = work.notes;
     all.notes.insert(all.notes.begin(),
-                     earlier.empty() ? "of several attempts the last counts"
-                                     : fmt::format("of several attempts the last counts, but for "
-                                                   "{}, which it does not hold",
-                                                   fmt::join(earlier, ", ")));
+                     earlier.empty()
+                         ? "of several attempts the last counts"
+                         : fmt::format("of several attempts the last counts, but for "
+                                       "{}, which it does not hold or which is not written there",
+                                       fmt::join(earlier, ", ")));
   }
   return all;
 }

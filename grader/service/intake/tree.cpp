@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <tuple>
 
@@ -80,9 +81,13 @@ void walk(const fs::path& folder, const fs::path& top, const std::vector<TaskFil
   }
 }
 
-// The file that counts among the candidates of a task: first by the exact name, then the outermost
-// file, then the file that the judge would read first. Nothing if two are left.
+// The file that counts among the candidates of a task: one that is written, then one with the exact
+// name, then the outermost file, then the file that the judge would read first. Nothing if two that
+// differ are left.
 const Candidate* that_counts(std::vector<Candidate>& all) {
+  const auto is_unwritten = [](const Candidate& each) { return is_stub(each.path); };
+  if (all.size() > 1 && !std::all_of(all.begin(), all.end(), is_unwritten))
+    std::erase_if(all, is_unwritten);
   const auto is_exact = [](const Candidate& each) { return each.is_exact; };
   if (std::any_of(all.begin(), all.end(), is_exact)) {
     std::erase_if(all, [&](const Candidate& each) { return !is_exact(each); });
@@ -93,7 +98,8 @@ const Candidate* that_counts(std::vector<Candidate>& all) {
   const Candidate& first = all[0];
   for (std::size_t i = 1; i < all.size(); ++i) {
     const bool beside = all[i].root == first.root && all[i].way == first.way;
-    if (beside || !lies_in(all[i].root, first.root)) return nullptr;
+    const bool is_question = beside || !lies_in(all[i].root, first.root);
+    if (is_question && !are_equal(all[i].path, first.path)) return nullptr;
   }
   return &first;
 }
@@ -117,11 +123,30 @@ std::string question(const fs::path& folder, const std::string& slug,
                      shown(all[0].path, folder), shown(all[1].path, folder));
 }
 
+// Returns whether the judge would read these files in the tree's root, and no others.
+bool reads_these(const Tree& tree, const std::vector<TaskFile>& tasks) {
+  return tree.root.empty() || std::all_of(tasks.begin(), tasks.end(), [&](const TaskFile& task) {
+           const base::Submitted judged = base::read_submitted(tree.root, task.part, task.slug);
+           const auto file = tree.files.find(task.slug);
+           if (file == tree.files.end()) return !judged.present;
+           const base::Submitted counts = read_file(file->second);
+           return judged.text == counts.text && judged.rejected == counts.rejected;
+         });
+}
+
 }  // namespace
 
 base::Submitted read_file(const fs::path& file) {
   const base::Descriptor folder(open(file.parent_path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   return base::read_plain_file(folder.number(), file.filename(), base::kMaxFile);
+}
+
+bool is_stub(const fs::path& file) {
+  std::istringstream text(read_file(file).text);
+  for (std::string line; std::getline(text, line);) {
+    if (line.find("todo(") < line.find("//")) return true;
+  }
+  return false;
 }
 
 bool are_equal(const fs::path& a, const fs::path& b) {
@@ -194,7 +219,7 @@ Tree look_inside(const fs::path& given, const std::vector<TaskFile>& tasks) {
                                          shown(counts->path, folder), shown(other.path, folder)));
     }
   }
-  if (!stays) tree.root.clear();
+  if (!stays || !reads_these(tree, tasks)) tree.root.clear();
   return tree;
 }
 

@@ -60,6 +60,9 @@ std::string numbered_twice(const std::filesystem::path& folder, const std::vecto
 // The text of a file that is not a link.
 base::Submitted read_file(const std::filesystem::path& file);
 
+// Returns whether it is a task that is not written: it calls todo().
+bool is_stub(const std::filesystem::path& file);
+
 // Returns whether both can be read, and have the same text.
 bool are_equal(const std::filesystem::path& a, const std::filesystem::path& b);
 

@@ -41,13 +41,8 @@ std::optional<double> points_in(std::string text) {
 }
 
 // A name in a form in which Moodle's names of files and its table agree: letters and digits of ASCII
-// alone, if it has any. A report's name may have a number behind it: "Ada (55)".
-std::string plain(std::string name) {
-  for (std::size_t at = 0; name.ends_with(')') && (at = name.rfind(" (")) != name.npos;) {
-    const std::string number = name.substr(at + 2, name.size() - at - 3);
-    if (number.empty() || number.find_first_not_of("0123456789") != number.npos) break;
-    name.resize(at);
-  }
+// alone, if it has any.
+std::string plain(const std::string& name) {
   std::string text;
   for (std::size_t at = 0; at < name.size();) {
     const pt::FirstCharacter next = pt::first_character(std::string_view(name).substr(at));
@@ -59,6 +54,32 @@ std::string plain(std::string name) {
     at += next.size;
   }
   return text.empty() ? name : text;
+}
+
+// The name as Moodle wrote it: that of a report may have the ID behind it, as in "Ada (55)".
+std::string name_of(const GradeRow& row) {
+  const std::string behind = " (" + row.id + ")";
+  const bool has_id = !row.id.empty() && row.name.ends_with(behind);
+  return has_id ? row.name.substr(0, row.name.size() - behind.size()) : row.name;
+}
+
+// The submissions that may be those of a group. The whole name decides, and the plain one only where
+// no other group of the class has it.
+std::vector<const GradeRow*> submissions_of(const std::string& group,
+                                            const std::set<std::string>& groups,
+                                            const std::vector<const GradeRow*>& submissions) {
+  std::vector<const GradeRow*> equal, alike;
+  for (const GradeRow* each : submissions) {
+    const std::string name = name_of(*each);
+    if (name == group) equal.push_back(each);
+    if (plain(name) == plain(group) && !groups.contains(name)) alike.push_back(each);
+  }
+  if (!equal.empty()) return equal;
+  const auto namesakes = std::ranges::count_if(
+      groups, [&](const std::string& other) { return plain(other) == plain(group); });
+  // One submission and two groups: it may be that of either.
+  if (namesakes > 1 && alike.size() == 1) alike.push_back(alike[0]);
+  return alike;
 }
 
 std::string shown(const CsvCell& cell) {
@@ -128,32 +149,53 @@ void Worksheet::check_maximum(const CsvRow& row, int max_points) const {
 // Moodle may write the name of a group before that of a learner.
 bool Worksheet::is_of(const GradeRow& learner, const CsvRow& row) const {
   return group_ == kNone || name_ == kNone ||
-         plain(learner.name).ends_with(plain(row.cells[name_].value));
+         plain(name_of(learner)).ends_with(plain(row.cells[name_].value));
 }
 
-std::vector<Worksheet::Match> Worksheet::matches(const std::vector<GradeRow>& rows) const {
-  std::map<std::string, const GradeRow*> learners, groups;
+Worksheet::Matches Worksheet::matches(const std::vector<GradeRow>& rows) const {
+  std::map<std::string, const GradeRow*> learners;
   for (const GradeRow& row : rows) {
     if (!row.id.empty()) learners[row.id] = &row;
-    groups[plain(row.name)] = &row;
   }
-  std::vector<Match> all;
+  Matches found;
+  std::vector<std::pair<const CsvRow*, std::string>> members;  // of a group with this name
+  std::set<const GradeRow*> taken;
+  std::set<std::string> names;
   for (std::size_t i = 1; i < table_.rows.size(); ++i) {
     const CsvRow& row = table_.rows[i];
-    const auto found = learners.find(number_of(row.cells[identifier_]));
-    const auto group = group_ == kNone ? groups.end() : groups.find(plain(row.cells[group_].value));
-    const bool alone = found != learners.end() && is_of(*found->second, row);
-    if (!alone && (group == groups.end() || group->first.empty())) continue;
-    all.push_back({&row, alone ? found->second : group->second, alone});
+    const auto one = learners.find(number_of(row.cells[identifier_]));
+    if (one != learners.end() && is_of(*one->second, row)) {
+      found.all.push_back({&row, one->second, true});
+      taken.insert(one->second);
+    } else if (group_ != kNone && !row.cells[group_].value.empty()) {
+      members.emplace_back(&row, row.cells[group_].value);
+      names.insert(members.back().second);
+    }
   }
-  return all;
+  // What a learner has handed in alone is nobody else's, whatever the learner's name is.
+  std::vector<const GradeRow*> left;
+  for (const GradeRow& row : rows) {
+    if (!taken.contains(&row)) left.push_back(&row);
+  }
+  std::map<std::string, const GradeRow*> groups;
+  for (const std::string& name : names) {
+    const std::vector<const GradeRow*> fitting = submissions_of(name, names, left);
+    if (fitting.size() == 1) groups[name] = fitting[0];
+    if (fitting.size() > 1) found.unclear.push_back(name);
+  }
+  for (const auto& [row, name] : members) {
+    if (const auto group = groups.find(name); group != groups.end())
+      found.all.push_back({row, group->second, false});
+  }
+  std::ranges::sort(found.all, {}, [](const Match& match) { return match.row; });
+  return found;
 }
 
 std::map<std::string, std::vector<std::string>> Worksheet::pages(
     const std::vector<GradeRow>& rows,
     const std::function<std::string(const GradeRow&)>& path_of) const {
   std::map<std::string, std::vector<std::string>> all;
-  for (const Match& match : matches(rows)) {
+  for (const Match& match : matches(rows).all) {
     const std::string number = number_of(match.row->cells[identifier_]);
     all[match.learner->name].push_back(
         match.alone ? path_of(*match.learner)
@@ -171,7 +213,9 @@ Worksheet::Filled Worksheet::filled(const std::vector<GradeRow>& rows, int max_p
     filled.text += text_.substr(copied, cell.at - copied) + value;
     copied = cell.at + cell.size;
   };
-  for (const Match& match : matches(rows)) {
+  const Matches found = matches(rows);
+  filled.unclear = found.unclear;
+  for (const Match& match : found.all) {
     const CsvRow& row = *match.row;
     const GradeRow& learner = *match.learner;
     strays.erase(&learner);

@@ -21,14 +21,15 @@ class Worksheet {
 
   struct Filled {
     std::string text;
-    std::size_t locked = 0;           // learners whose grade Moodle has locked
-    std::vector<std::string> strays;  // names of learners who are not in the worksheet
+    std::size_t locked = 0;            // learners whose grade Moodle has locked
+    std::vector<std::string> strays;   // names of learners who are not in the worksheet
+    std::vector<std::string> unclear;  // names of groups that may be those of several submissions
   };
 
   // Fills in each learner's grade and comment, by the participant's number. The number in the name
   // of a group's files is the group's: in a table with groups, where the participant with this
-  // number has another name, everybody in the group with that name gets the grade. Everything else stays
-  // the same, byte for byte: rows of participants without a submission, the grade of a learner who
+  // number has another name, everybody in the group with that name gets the grade. A group whose name fits two
+  // submissions, or none better than another group's, gets nothing, and is counted. Everything else stays the same, byte for byte: rows of participants without a submission, the grade of a learner who
   // was not judged, and the times that show Moodle whether a grade was changed since. Throws
   // pt::Error if Moodle's maximum is not `max_points`.
   Filled filled(const std::vector<GradeRow>& rows, int max_points) const;
@@ -47,7 +48,11 @@ class Worksheet {
     const GradeRow* learner = nullptr;
     bool alone = false;  // not as a member of a group
   };
-  std::vector<Match> matches(const std::vector<GradeRow>& rows) const;
+  struct Matches {
+    std::vector<Match> all;
+    std::vector<std::string> unclear;  // as in Filled
+  };
+  Matches matches(const std::vector<GradeRow>& rows) const;
   std::size_t column(const char* name, bool must_be = true) const;
   void check(const report::CsvRow& row) const;
   void check_maximum(const report::CsvRow& row, int max_points) const;

@@ -2,6 +2,8 @@
 #include "pt/file.h"
 #include "tests/grader/service/intake/intake.h"
 
+#include <map>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +17,7 @@ namespace grader::intake {
 namespace {
 
 using testing::HasSubstr;
+namespace fs = std::filesystem;
 
 // Names and numbers come from a list that anybody may have written, and become names of reports.
 TEST_F(Intake, names_of_a_list_are_names_of_files) {
@@ -64,13 +67,70 @@ TEST_F(Intake, names_are_those_of_reports) {
   add("gus.tar.gz", archive_of({{"hit_box.cpp", "t"}}, Format::tar_gz));
   auto all = seen();
   EXPECT_EQ(all.size(), 10U);
-  for (const char* name :
-       {"class (2)", "Plan (2)", "likeness (2)", "a_b", "c_d", "e_f", "gus", "gus (2)"}) {
+  for (const char* name : {"class (2)", "Plan (2)", "likeness (2)", "a_b", "c_d", "e_f"}) {
     EXPECT_TRUE(all.contains(name)) << name;
   }
   EXPECT_TRUE(all.contains("Zo\xc3\xab (2)") || all.contains("zo\xc3\x8b (2)"));
-  EXPECT_EQ(all["gus"].feedback, "gus.html");
-  EXPECT_EQ(all["gus (2)"].feedback, "gus (2).html");
+  EXPECT_EQ(all["a_b"].feedback, "a_b.html");
+  for (const char* name : {"gus.zip", "gus.tar.gz"}) {
+    EXPECT_THAT(all[name].problem, HasSubstr("there is another 'gus'")) << name;
+  }
+}
+
+// Whoever is called like the report of somebody else keeps that name.
+TEST_F(Intake, a_number_behind_a_name_is_nobodys_name) {
+  for (const char* name : {"Ada", "ada", "ada (2)", "class", "class (2)"}) {
+    add(std::string(name) + "/hit_box.cpp", name);
+  }
+  auto all = seen();
+  for (const auto& [report, owner] : {std::pair("Ada", "Ada"),
+                                      {"ada (3)", "ada"},
+                                      {"ada (2)", "ada (2)"},
+                                      {"class (3)", "class"},
+                                      {"class (2)", "class (2)"}}) {
+    EXPECT_EQ(all[report].files, (Files{{"hit_box.cpp", owner}})) << report;
+  }
+}
+
+// Classes of folders and archives whose names differ in little. The text of each file names its owner.
+TEST_F(Intake, of_random_classes_every_row_is_its_owners_or_has_a_problem) {
+  std::mt19937 random(70);
+  const auto one_of = [&](const std::vector<std::string>& all) {
+    return all[random() % all.size()];
+  };
+  for (int number = 0; number < 25; ++number) {
+    std::map<std::string, std::string> claims;  // the owner by the name without an ending
+    std::map<std::string, int> claimed;
+    const std::string top = fmt::format("{}/", number);
+    for (int i = 0; i < 6; ++i) {
+      const std::string name =
+          one_of({"Ada", "ada", "ad\xc3\xa1", "ada_1", "ada 1"}) + one_of({"", "", " (2)", " (1)"});
+      const std::string ending = one_of({"", "", ".zip", ".tar.gz"});
+      const std::string owner = name + ending;
+      if (fs::exists(in(top + owner))) continue;
+      ++claimed[name];
+      claims[name] = owner;
+      const std::string task =
+          one_of({"hit_box.cpp", "hit_box (1).cpp", "student/1_rays/hit_box.cpp"});
+      if (ending.empty()) {
+        add(top + owner + "/" + task, owner);
+      } else {
+        add(top + owner,
+            archive_of({{task, owner}}, ending == ".zip" ? Format::zip : Format::tar_gz));
+      }
+    }
+    const auto all = seen(in(top));
+    for (const auto& [row, found] : all) {
+      if (!found.problem.empty()) continue;
+      ASSERT_EQ(found.judged.size(), 1U) << row;
+      const std::string owner = found.judged.begin()->second;
+      const auto mine = claims.find(row);
+      EXPECT_TRUE(mine == claims.end() || mine->second == owner) << row << " has work of " << owner;
+    }
+    int rows = 0;
+    for (const auto& [name, count] : claimed) rows += count;
+    EXPECT_EQ(static_cast<int>(all.size()), rows);
+  }
 }
 
 // A name as a learner's computer writes it and as a platform does.

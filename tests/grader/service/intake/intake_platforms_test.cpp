@@ -34,6 +34,28 @@ TEST_F(Intake, canvas_gives_files_of_which_the_last_counts) {
   EXPECT_EQ(all["hopper (8)"].files, (Files{{"hit_box.cpp", "another Hopper"}}));
 }
 
+// A learner of a young school may be called like another one with an ID: lovelaceada_123 has the ID 456.
+TEST_F(Intake, a_file_of_canvas_that_may_be_two_learners_is_nobodys) {
+  add("lovelaceada_123_470_hit_box.cpp", "Ada's");
+  add("hopper_7_480_hit_box.cpp", "Grace's");
+  add("lovelaceada_123_456_490_hit_box.cpp", "whose?");
+  add("hopper_7_481_1_hit_sphere.cpp", "1 is no file's number");
+  auto all = seen();
+  EXPECT_THAT(all["lovelaceada"].problem, HasSubstr("or of 'lovelaceada_123' with the ID 456"));
+  EXPECT_EQ(all["hopper"].problem, "");
+  EXPECT_EQ(all["hopper"].files.at("hit_box.cpp"), "Grace's");
+}
+
+// An ID of Gradescope may be any text.
+TEST_F(Intake, an_id_with_commas_is_one_id) {
+  for (int i = 1; i <= 3; ++i) add(fmt::format("submission_{}/hit_box.cpp", i), std::to_string(i));
+  add(kGradescopeList,
+      "submission_1:\n  :submitters:\n  - :name: Ada\n    :sid: \"1001\"\n"
+      "submission_2:\n  :submitters:\n  - :name: Grace\n    :sid: \"1002\"\n"
+      "submission_3:\n  :submitters:\n  - :name: Mal\n    :sid: \"1001, 1002, 1003\"\n");
+  for (const auto& [name, found] : seen()) EXPECT_EQ(found.problem, "") << name;
+}
+
 TEST_F(Intake, moodle_gives_folders_with_what_was_handed_in) {
   add("Ada Lovelace_55_assignsubmission_file_/work.zip",
       archive_of({{"__MACOSX/1_rays/._hit_box.cpp", "mac"}, {"1_rays/hit_box.cpp", "a"}}));

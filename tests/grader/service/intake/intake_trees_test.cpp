@@ -314,5 +314,38 @@ TEST_F(Intake, faults_of_the_machine_are_nobodys) {
               testing::ThrowsMessage<pt::Error>("the disk is full"));
 }
 
+// Written work counts, wherever the stub lies, and equal files are no question.
+TEST_F(Intake, an_unwritten_task_never_beats_written_work) {
+  const std::string stub = "int f() {\n  todo(\"hit_box\");\n}\n",
+                    work = "int f() { return 1; }  // todo(it)\n";
+  const std::vector<std::string> names{"beside", "numbered", "deeper", "in_archive", "equal"};
+  add("beside/hit_box.cpp", stub);
+  add("beside/old/hit_box.cpp", work);
+  add("numbered/hit_box.cpp", stub);
+  add("numbered/hit_box (1).cpp", work);
+  add("deeper/1_rays/hit_box.cpp", stub);
+  add("deeper/student/1_rays/hit_box.cpp", work);
+  add("in_archive/hit_box.cpp", stub);
+  add("in_archive/work.zip", archive_of({{"hit_box.cpp", work}}));
+  add("equal/a/hit_box.cpp", work);
+  add("equal/b/hit_box.cpp", work);
+  auto all = seen();
+  for (const std::string& name : names) {
+    EXPECT_EQ(all[name].problem, "") << name;
+    EXPECT_EQ(all[name].judged["hit_box"], work) << name;
+  }
+}
+
+// In a copy of the project only `student` is the learner's.
+TEST_F(Intake, the_judge_reads_the_files_that_count) {
+  add("ada/pt/pt.h", "");
+  add("ada/1_rays/hit_box.cpp", "not this one");
+  add("ada/1_rays/hit_sphere.cpp", "nor this one");
+  add("ada/student/1_rays/hit_box.cpp", "a");
+  auto all = seen();
+  EXPECT_EQ(all["ada"].judged["hit_box"], "a");
+  EXPECT_FALSE(all["ada"].judged.contains("hit_sphere")) << all["ada"].judged["hit_sphere"];
+}
+
 }  // namespace
 }  // namespace grader::intake

@@ -161,5 +161,40 @@ TEST(Worksheet, a_groups_grade_is_for_its_members) {
   EXPECT_FALSE(pages.contains("Nobody"));
 }
 
+// Groups whose names differ in letters that a file's name may lose, and a learner who is called like a group.
+TEST(Worksheet, a_name_that_is_alike_takes_nobodys_grade) {
+  const std::string head =
+      "Identifier,Full name,Group,Grade,Maximum Grade,Grade can be changed,Feedback comments\n";
+  const auto row = [](const char* who, const char* group, const char* grade) {
+    return fmt::format("{},{},{},20,Yes,{}\n", who, group, grade, *grade == 0 ? "" : "fine");
+  };
+  const std::vector<GradeRow> rows{
+      {"Team α", "101", true, 1, "fine"},   {"Team β", "102", true, 2, "fine"},
+      {"Lab (1)", "103", true, 3, "fine"},  {"Lab (2)", "104", true, 4, "fine"},
+      {"Team A (9)", "9", true, 5, "fine"}, {"Team A (105)", "105", true, 6, "fine"},
+      {"Row_1", "106", true, 7, "fine"},    {"Tür", "107", true, 8, "fine"},
+      {"Tor", "108", true, 9, "fine"}};
+  const auto table = [&](bool done) {
+    const auto if_done = [&](const char* grade) { return done ? grade : ""; };
+    return head + row("Participant 1,A", "Team α", if_done("1")) +
+           row("Participant 2,B", "Team β", if_done("2")) +
+           row("Participant 3,C", "Lab (1)", if_done("3")) +
+           row("Participant 4,D", "Lab (2)", if_done("4")) +
+           row("Participant 5,E", "Team A", if_done("6")) +
+           row("Participant 9,Team A", "Team A", if_done("5")) +
+           row("Participant 10,F", "Row 1", "") + row("Participant 11,G", "Row-1", "") +
+           row("Participant 12,H", "Tu\xcc\x88r", if_done("8")) +
+           row("Participant 13,I", "T/or", if_done("9"));
+  };
+  const Worksheet::Filled filled = Worksheet(table(false), "sheet.csv").filled(rows, 20);
+  EXPECT_EQ(filled.text, table(true));
+  EXPECT_THAT(filled.unclear, ElementsAre("Row 1", "Row-1"));
+  EXPECT_THAT(filled.strays, ElementsAre("Row_1"));
+  EXPECT_THAT(Worksheet(table(false), "sheet.csv")
+                  .pages(rows, [](const GradeRow& learner) { return learner.name; })
+                  .at("Team A (105)"),
+              ElementsAre("Participant_5_assignsubmission_file_/report.html"));
+}
+
 }  // namespace
 }  // namespace grader::platforms
