@@ -85,7 +85,7 @@ inline Repetition repeated_places(const Points& points) {
 }
 
 // Fails the case if more than half of the points have the same x as another one, or the same y: they
-// are fixed, or on a coarse grid.
+// are fixed, the same in each call, or on a coarse grid.
 inline void expect_different_coordinates(const Points& points, const std::string& name) {
   std::vector<long> x, y;
   for (const pt::Vec2 at : points) {
@@ -96,8 +96,9 @@ inline void expect_different_coordinates(const Points& points, const std::string
     const Repetition repeated = repetition(places);
     expect(!repeated.half_are_repeated(),
            fmt::format("{}, at different distances from the {} edge", name, edge),
-           fmt::format("only {} different distances: some points are fixed, or on a coarse grid",
-                       repeated.different));
+           fmt::format(
+               "only {} different distances: some points are fixed, repeated, or on a coarse grid",
+               repeated.different));
   };
   expect_different(x, "left");
   expect_different(y, "bottom");

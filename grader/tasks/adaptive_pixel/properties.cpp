@@ -95,7 +95,8 @@ PROMISE(adaptive_pixel, never_exceeds_the_maximum) {
         const Answer answer = ask(c);
         const int n = answer.estimate.samples;
         expect(n >= 1 && n <= c.settings.max_samples,
-               fmt::format("1 to {} samples", c.settings.max_samples), fmt::format("{}", n));
+               fmt::format("samples = 1 to {}", c.settings.max_samples),
+               fmt::format("samples = {}, after {} calls of radiance()", n, answer.calls.size()));
         expect_equal("calls of radiance(), and samples", static_cast<int>(answer.calls.size()), n);
       },
       kCases);

@@ -118,7 +118,8 @@ inline void expect_that_it_walks() {
     expect(came_by_its_leaf(c, aim, log),
            plain + "a walk from the root to its leaf, in which hit_box is called with their boxes",
            log.boxes.empty() ? "no call of hit_box" : "no call of hit_box for the leaf's box");
-    expect(occluded_bvh(c.bvh, c.primitives, c.ray), plain + "something in the way",
+    expect(occluded_bvh(c.bvh, c.primitives, c.ray),
+           plain + "something in the way for occluded_bvh, as there is a hit for hit_bvh",
            "nothing in the way");
     judge_answers = log.answered_here > 0;
     if (!judge_answers) continue;

@@ -88,7 +88,8 @@ inline double start_of(From from, double half, const Domain& domain) {
   const double apart = 3 * slack_along(half), least = std::max(apart, domain.near);
   if (from == From::outside) return *magnitude(least, domain.far);
   if (from == From::behind) return -2 * half - *magnitude(least, domain.far);
-  const double part = *whole(0, 3) == 0 ? *rc::gen::element(0.0, 0.5, 1.0) : *real(0, 1);
+  constexpr double kParts[] = {0.75, 0.25, 0.5, 0.0, 1.0};  // the plainest first
+  const double part = *whole(0, 3) == 0 ? kParts[*whole(0, 4)] : *real(0, 1);
   return -apart - part * (2 * half - 2 * apart);
 }
 

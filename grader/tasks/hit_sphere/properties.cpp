@@ -171,7 +171,7 @@ void has_outward_unit_normal(const Chord& c) {
   const double n_size = length(hit->n);
   expect(std::abs(n_size - 1) <= 2 * kPrecision || std::abs(n_size - size) <= 2 * kPrecision,
          "an n of length 1", "the length " + show(n_size));
-  expect_near("n, which points from the centre to the point at t", hit->n / n_size,
+  expect_near("n, from the centre to the point at the t returned, " + show(hit->t), hit->n / n_size,
               normalize(from_centre), 2 * kPrecision);
 }
 

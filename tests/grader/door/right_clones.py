@@ -7,23 +7,24 @@ import random
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from clones import broken, expect, finish, grade, made  # noqa: E402
+from clones import DIALECTS, broken, expect, finish, grade, made  # noqa: E402
 import variants  # noqa: E402
 
 YEARS = 2019, 2020, 2022
 
 
-def judge(clone, what, *words):
-    _, results = grade(clone, *words)
+def judge(clone, year, what, *words):
+    said, results = grade(clone, *words)
     short = {task["slug"]: broken(task) or task["reason"] for task in results["tasks"] if task["state"] != "pass" or task["points"] < task["max_points"]}
     print(f"{what}: {short or 'full points'}", flush=True)
+    expect(said.startswith(f"Judged by {DIALECTS[year]};"), f"the dialect of {what}", said[:200])
     expect(results["passed"] and len(results["tasks"]) == 12 and not short, what, short)
 
 
 def mixture(number):
     year = YEARS[number % 3]
     names, edits = variants.mixture(random.Random(number))
-    judge(made(f"mixture{number}", year, edits=edits), f"mixture {number} of {year}: {', '.join(names)}")
+    judge(made(f"mixture{number}", year, edits=edits), year, f"mixture {number} of {year}: {', '.join(names)}")
 
 
 if "few" in sys.argv:
@@ -33,7 +34,7 @@ else:
     for year in YEARS:
         clone = made(str(year), year)
         for seed in range(2, 7):
-            judge(clone, f"{year}, seed {seed}", "--seed", str(seed))
+            judge(clone, year, f"{year}, seed {seed}", "--seed", str(seed))
     for number in range(20):
         mixture(number)
 finish()
