@@ -46,8 +46,12 @@ void Child::stop() {
 }
 
 void Child::restart() {
-  const std::lock_guard lock(one_at_a_time_);
-  end();
+  if (const std::unique_lock lock(one_at_a_time_, std::try_to_lock); lock) {
+    end();
+    return;
+  }
+  is_renewed_ = true;
+  stop();
 }
 
 int Child::end() {
@@ -131,11 +135,22 @@ std::string Child::read_bytes(std::size_t size) {
 
 Reply Child::ask(const std::string& what, const std::map<std::string, std::string>& query) {
   const std::lock_guard lock(one_at_a_time_);
-  if (pid_ < 0) start();
-  const nlohmann::json question{{"what", what}, {"query", query}};
+  const nlohmann::json words{{"what", what}, {"query", query}};
   const auto replace = nlohmann::json::error_handler_t::replace;
+  const std::string question = words.dump(-1, ' ', false, replace) + "\n";
   try {
-    write_all(questions_, question.dump(-1, ' ', false, replace) + "\n");
+    return ask_once(question);
+  } catch (const ChildEnded&) {
+    if (!is_renewed_.exchange(false)) throw;
+    end();
+    return ask_once(question);
+  }
+}
+
+Reply Child::ask_once(const std::string& question) {
+  if (pid_ < 0) start();
+  try {
+    write_all(questions_, question);
   } catch (const ChildEnded&) {
     fill();  // says how it ended
     throw;

@@ -50,13 +50,15 @@ class Child {
   // One question at a time; others wait. Throws pt::Error with the child's sentence if the question cannot be answered.
   Reply ask(const std::string& what, const std::map<std::string, std::string>& query);
 
-  // Ends the process, because its program has changed.
+  // Ends the process, because its program has changed. A question that waits for its answer, perhaps in an endless loop, is
+  // answered by the new program.
   void restart();
 
-  // The same, even while a question waits for its answer.
+  // Ends it, even while a question waits for its answer.
   void stop();
 
  private:
+  Reply ask_once(const std::string& question);
   void start();
   int end();
   std::string read_line();
@@ -68,6 +70,7 @@ class Child {
   std::chrono::milliseconds patience_;
   std::mutex one_at_a_time_;
   std::atomic<pid_t> pid_ = -1;
+  std::atomic<bool> is_renewed_ = false;  // while a question waited
   grader::base::Descriptor questions_, answers_;
   std::string read_;  // and not used yet
 };

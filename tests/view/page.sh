@@ -109,13 +109,24 @@ keys '\uE014\uE014\uE007'
 until_true 'arrow keys and Enter trace the paths of another pixel' <<'E2'
 return now.paths.x === now.pixel[0] && document.getElementById('pixel').textContent.includes(`x ${now.pixel[0]},`);
 E2
+keys 'z'
+pointer "$stage" 20 -30
+expect 'Z enlarges around the marked pixel or the pointer, and the pointer still names the pixel below it' <<'E2'
+const box = document.getElementById('picture').getBoundingClientRect(), seen = stage.getBoundingClientRect();
+const [x, y] = now.pointer, middle = [seen.left + seen.width / 2 + 20, seen.top + seen.height / 2 - 30];
+return zoomed.times === 2 && Math.abs(box.width / seen.width - 2) < 0.01 && box.left <= seen.left && box.right >= seen.right
+  && x === Math.floor((96 * (middle[0] - box.left)) / box.width) && y === 71 - Math.floor((72 * (middle[1] - box.top)) / box.height);
+E2
+keys 'Z'
+expect 'Shift and Z make it smaller again' <<<"return zoomed.times === 1 && zoomed.x === 0 && zoomed.y === 0;"
 keys 'd'
-until_true 'D turns the camera, and R brings that of the file back' <<'E2'
-return now.view !== null && JSON.stringify(now.camera.position) !== JSON.stringify(now.scene.camera.position);
+until_true 'D turns the camera; the square of the pixel goes, its paths stay' <<'E2'
+return now.view !== null && JSON.stringify(now.camera.position) !== JSON.stringify(now.scene.camera.position)
+  && !is_pixel_here() && now.paths.x === now.pixel[0] && !('eye' in query_of_pixel());
 E2
 keys 'r'
-until_true 'R brings the camera of the file back' <<'E2'
-return now.view === null && JSON.stringify(now.camera.position) === JSON.stringify(now.scene.camera.position);
+until_true 'R brings the camera of the file back, and the square' <<'E2'
+return now.view === null && is_pixel_here() && JSON.stringify(now.camera.position) === JSON.stringify(now.scene.camera.position);
 E2
 keys 'b'
 until_true 'B shows the boxes tested, with a legend' <<'E2'
@@ -134,6 +145,25 @@ const both = chosen_picture().floats;
 return both.every((value, i) => Object.is(value, (Math.floor(i / 3) % 96 < 24 ? own : reference).floats[i]))
   && both.some((value, i) => value !== own.floats[i]);
 E2
+# The mistake is in the bounces: the direct light is by equal code.
+script >/dev/null <<'E2'
+const { prototype } = CanvasRenderingContext2D, { putImageData } = prototype, { own } = now.pictures;
+window.differences = new Map();
+prototype.putImageData = function (image, ...at) {
+  putImageData.call(this, image, ...at);
+  if (image.height === 1 || controls.from.value !== 'difference' || now.pictures.own === own) return;
+  const count = image.data.filter((value) => value !== 247 && value !== 255).length, { samples } = now.pictures.own;
+  window.differences.set(samples, Math.max(count, window.differences.get(samples) ?? 0));
+};
+controls.from.value = 'difference';
+set('show', 'direct');
+E2
+until_true 'the difference of equal code is zero at every moment' <<'E2'
+return window.differences.size > 3 && [...window.differences.values()].every((count) => count === 0);
+E2
+script >/dev/null <<<"window.differences.clear(); set('show', 'full');"
+until_true 'and not zero where a mistake makes one' <<<"return [...window.differences.values()].some((count) => count > 1000);"
+script >/dev/null <<<"set('from', 'both');"
 keys 'c'
 until_true 'C again hides it' <<<"return document.getElementById('beside').hidden;"
 keys 't'
@@ -170,6 +200,42 @@ E2
 post "$session/window/rect" '{"width": 500, "height": 844}' >/dev/null
 expect 'on a phone only the tables are wider than the page' <<'E2'
 return document.documentElement.scrollWidth <= innerWidth;
+E2
+
+# A save makes another program of the tasks; one of them never answers.
+go about:blank
+kill "$server"
+mkdir "$folder/build" "$folder/tasks"
+worker=$folder/build/view_worker.reference
+cp "$programs/view_worker.reference" "$folder/right"
+cp "$folder/right" "$worker"
+printf '#!/bin/sh\nexec sleep 1000\n' >"$folder/endless"
+chmod +x "$folder/endless"
+cat >"$folder/build/build.ninja" <<'E2'
+rule compile
+  command = cp "../$$(cat $in)" $out.new && mv $out.new $out
+build view_worker.reference: compile ../tasks/task.cpp
+E2
+printf 'exec ninja -C "$@"\n' >"$folder/ninja"
+echo right >"$folder/tasks/task.cpp"
+go_to_server "$programs/view" --worker "$worker" --tasks "$folder/tasks" --build "$folder/ninja" "$folder/build" \
+  scenes/box_spheres.dae -r 96 72 -s 8 --pixel 48 20 --no-browser
+until_true 'the page of one that is watched' <<<"return now.paths !== null && now.pictures.own && now.pictures.own.samples > 0;"
+echo endless >"$folder/tasks/task.cpp"
+until_true 'an endless loop is told' <<'E2'
+const banner = document.getElementById('banner');
+if (!banner.hidden) window.moments = [...(window.moments ?? []), banner.textContent.includes('no answer for 5 s, as in an endless loop')];
+return window.moments !== undefined;
+E2
+until_true 'and it stays' <<'E2'
+const banner = document.getElementById('banner');
+window.moments.push(!banner.hidden && banner.textContent.includes('no answer for 5 s, as in an endless loop'));
+return window.moments.length > 10;
+E2
+expect 'at every moment' <<<"return window.moments.every((moment) => moment);"
+echo right >"$folder/tasks/task.cpp"
+until_true 'the next save is shown at once' <<'E2'
+return document.getElementById('banner').hidden && now.latest.own && now.latest.own.samples > 0;
 E2
 
 "$programs/view" --worker "$programs/view_worker.reference" scenes/box_spheres.dae -r 96 72 -s 4 --pixel 48 20 \

@@ -9,7 +9,8 @@ function move_eye(change) {
 
 function set(name, value) {
   controls[name].value = value;
-  improve();
+  if (name === "show" && controls.shown.value === "normals") controls.shown.value = "light";
+  change_settings();
 }
 
 // The next of the false colours that can be chosen.
@@ -20,14 +21,18 @@ function next_colours(step) {
 
 const kMoves = { a: [-1, 0], d: [1, 0], w: [0, 1], s: [0, -1] };
 const kArrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-const kShows = { 1: "full", 2: "direct", 3: "indirect", 4: "bounce", 5: "normals" };
-const kColours = { l: "light", b: "boxes", v: "deviation" };
+const kShows = { 1: "full", 2: "direct", 3: "indirect", 4: "bounce" };
+const kColours = { 5: "normals", l: "light", b: "boxes", v: "deviation" };
 
 function move_pixel([right, up], length) {
   const [w, h] = [Number(data.settings.w), Number(data.settings.h)];
   const [x, y] = now.pixel ?? [w >> 1, h >> 1];
-  now.pixel = [Math.min(Math.max(x + length * right, 0), w - 1), Math.min(Math.max(y + length * up, 0), h - 1)];
+  const { which } = now;
+  choose_pixel([Math.min(Math.max(x + length * right, 0), w - 1), Math.min(Math.max(y + length * up, 0), h - 1)]);
+  now.which = which;  // of the paths that are shown until Enter
+  keep_in_sight(now.pixel);
   show_lines();
+  show_status();
 }
 
 function on_key(event) {
@@ -38,6 +43,8 @@ function on_key(event) {
     move_eye((view) => (event.shiftKey ? moved(view, 0.05 * right, 0.05 * up) : orbit(view, -0.1 * right, -0.1 * up)));
   } else if (key === "+" || key === "-") move_eye((view) => closer(view, key === "+" ? 0.9 : 1 / 0.9));
   else if (key === "r") go_home();
+  else if (key === "z") zoom_by(event.shiftKey ? -1 : 1);
+  else if (key === "e" && data.live) change_exposure(event.shiftKey ? -0.5 : 0.5);
   else if (key === "t" && data.live) show_tree();
   else if (key === "," || key === ".") show_level(key === "," ? -1 : 1);
   else if (key === "n" || key === "p") show_test(key === "n" ? 1 : -1);
@@ -58,14 +65,14 @@ function on_key(event) {
 
 function go_home() {
   now.view = null;
-  if (data.live) load_scene().then(improve);
+  if (data.live) load_scene().then(improve, () => {});
 }
 
 function pixel_at(event) {
   const box = stage.getBoundingClientRect();
-  const part = (at, from, size, pixels) => Math.min(Math.max(Math.floor(((at - from) / size) * pixels), 0), pixels - 1);
-  return [part(event.clientX, box.left, box.width, data.settings.w),
-    data.settings.h - 1 - part(event.clientY, box.top, box.height, data.settings.h)];
+  const pixel = (part, corner, pixels) => Math.min(Math.max(Math.floor((corner + part / zoomed.times) * pixels), 0), pixels - 1);
+  return [pixel((event.clientX - box.left) / box.width, zoomed.x, data.settings.w),
+    data.settings.h - 1 - pixel((event.clientY - box.top) / box.height, zoomed.y, data.settings.h)];
 }
 
 function listen_to_pointer() {
@@ -88,13 +95,13 @@ function listen_to_pointer() {
     is_drag = true;
     from = [event.clientX, event.clientY];
     const size = stage.clientWidth;
+    if (zoomed.times > 1) return pan(-right / size, -down / stage.clientHeight);
     move_eye((view) => (event.shiftKey ? moved(view, -right / size, down / size)
       : orbit(view, (4 * right) / size, (-4 * down) / size)));
   });
   stage.addEventListener("pointerup", (event) => {
     if (from && !is_drag && data.live) {
-      now.pixel = pixel_at(event);
-      now.which = -1;
+      choose_pixel(pixel_at(event));
       walk();
     }
     from = null;
@@ -102,6 +109,7 @@ function listen_to_pointer() {
   stage.addEventListener("wheel", (event) => {
     if (!data.live) return;
     event.preventDefault();
-    move_eye((view) => closer(view, event.deltaY < 0 ? 0.9 : 1 / 0.9));
+    if (zoomed.times > 1 || event.ctrlKey) zoom_by(event.deltaY < 0 ? 1 : -1);
+    else move_eye((view) => closer(view, event.deltaY < 0 ? 0.9 : 1 / 0.9));
   }, { passive: false });
 }

@@ -92,11 +92,11 @@ function paint_difference(canvas, a, b) {
   const dark = 0.04 * 3 * sum / b.floats.length;
   paint(canvas, a.width, a.height, (i, data, at) => {
     const [mine, right] = [luminance_at(a.floats, i), luminance_at(b.floats, i)];
-    const color = signed_color(mine === right ? 0 : (mine - right) / (right + dark));
+    const color = signed_color(Object.is(mine, right) ? 0 : (mine - right) / (right + dark));
     for (let c = 0; c < 3; ++c) data[at + c] = color[c];
   });
 }
 
-function paint_ramp(canvas) {
-  paint(canvas, 256, 1, (i, data, at) => ramp(i / 255).forEach((value, c) => { data[at + c] = value; }));
+function paint_ramp(canvas, color) {
+  paint(canvas, 256, 1, (i, data, at) => color(i / 255).forEach((value, c) => { data[at + c] = value; }));
 }

@@ -94,9 +94,9 @@ function parts_of(camera, a, b, steps) {
 function draw_ends(context, ends, style, size, dash) {
   const { width, height } = context.canvas;
   context.beginPath();
-  context.setLineDash(dash.map((length) => length * devicePixelRatio));
+  context.setLineDash(dash.map((length) => length * pen()));
   context.strokeStyle = style;
-  context.lineWidth = size * devicePixelRatio;
+  context.lineWidth = size * pen();
   context.moveTo(ends[0][0] * width, ends[0][1] * height);
   context.lineTo(ends[1][0] * width, ends[1][1] * height);
   context.stroke();
@@ -139,7 +139,7 @@ function draw_box(context, camera, [low, high], color, size, dashed = false) {
   const corner = (i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? high : low)[axis]);
   context.setLineDash(dashed ? [4, 4] : []);
   context.strokeStyle = color;
-  context.lineWidth = size * devicePixelRatio;
+  context.lineWidth = size * pen();
   context.beginPath();
   for (let i = 0; i < 8; ++i) {
     for (const bit of [1, 2, 4]) {
@@ -182,7 +182,7 @@ function draw_frame(context, camera, bounce, length) {
 function draw_label(context, camera, p, label, color) {
   const at = project(camera, p);
   if (!at) return;
-  const size = devicePixelRatio;
+  const size = pen();
   const [x, y] = [at[0] * context.canvas.width + 6 * size, at[1] * context.canvas.height - 6 * size];
   context.font = `bold ${12 * size}px system-ui, sans-serif`;
   context.setLineDash([]);
@@ -197,7 +197,7 @@ function draw_point(context, camera, p, label) {
   const at = project(camera, p);
   if (!at) return;
   const [x, y] = [at[0] * context.canvas.width, at[1] * context.canvas.height];
-  const size = devicePixelRatio;
+  const size = pen();
   context.beginPath();
   context.setLineDash([]);
   context.arc(x, y, 4 * size, 0, 7);

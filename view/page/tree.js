@@ -8,8 +8,8 @@ async function show_tree() {
     try {
       now.tree = await ask("tree", query());
       now.other_tree = data.reference ? await ask("tree", { ...query(), from: "reference" }) : null;
-    } catch (error) {
-      complain(error.message);
+    } catch {
+      now.tree = null;  // the banner has said why
     }
   }
   by_id("tree").hidden = !now.tree;
@@ -22,9 +22,9 @@ async function show_tree() {
 async function find_ray() {
   if (data.live) now.ray = null;
   try {
-    if (now.tree && now.pixel) now.ray = await ask("ray", { ...query(), x: now.pixel[0], y: now.pixel[1] });
-  } catch (error) {
-    complain(error.message);
+    if (now.tree && now.pixel) now.ray = await ask("ray", query_of_pixel());
+  } catch {
+    now.ray = null;  // the banner has said why
   }
   by_id("ray").hidden = !now.ray || now.ray.tests.length === 0;
   by_id("test").max = now.ray ? now.ray.tests.length : 0;

@@ -5,8 +5,8 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const by_id = (id) => document.getElementById(id);
 const controls = by_id("controls").elements;
 const stage = by_id("stage");
-const kDefaults = { show: "full", bounce: "1", light_samples: "1", hemisphere: "", survival: "0.7", engine: "task",
-  camera: "course", shown: "light" };
+const kDefaults = { show: "full", light_samples: "1", hemisphere: "", survival: "0.7", engine: "task", camera: "course",
+  shown: "light" };
 
 const now = {
   scene: data.scene,
@@ -14,56 +14,18 @@ const now = {
   depth: null,   // the distances of surfaces from a camera
   view: null,    // an eye that was moved; null: the camera of the file
   pixel: data.pixel ?? null,
+  pixel_from: {}, // words of the camera through which it was chosen
   paths: data.paths ?? null,
   reference: data.reference_paths ?? null,
   ray: data.ray ?? null,
   which: -1,  // not chosen yet
   point: 0,
-  pictures: {},  // by whom
+  pictures: {},  // that are shown, by whom
+  latest: {},    // the last answers
+  kind: "light", // of the pictures that are shown
   pointer: null, // the pixel below it
   asking: 0,     // grows when an older answer is no longer wanted
 };
-
-function complain(sentence) {
-  by_id("banner").textContent = sentence;
-  by_id("banner").hidden = !sentence;
-}
-
-async function ask(what, query) {
-  const words = new URLSearchParams({ ...query, token: data.token });
-  const answer = await fetch(`/${what}?${words}`);
-  if (!answer.ok) throw new Error((await answer.text()).trim());
-  const kind = answer.headers.get("Content-Type");
-  if (kind.startsWith("application/json")) return answer.json();
-  if (kind === "image/x-exr") return { file: await answer.blob() };
-  const state = JSON.parse(answer.headers.get("X-State"));
-  return { ...state, floats: new Float32Array(await answer.arrayBuffer()) };
-}
-
-// The settings that differ from the usual ones, as words of a request.
-function query() {
-  const words = { w: data.settings.w, h: data.settings.h, bounces: controls.bounces.value };
-  for (const name of ["seed", "adaptive"]) if (data.settings[name]) words[name] = data.settings[name];
-  for (const [name, usual] of Object.entries(kDefaults)) {
-    if (name === "bounce" && controls.show.value !== "bounce") continue;
-    if (controls[name].value !== usual) words[name] = controls[name].value;
-  }
-  if (now.view) for (const name of ["eye", "target", "up"]) words[name] = now.view[name].join(",");
-  return words;
-}
-
-function command() {
-  const words = { ...query() };
-  const options = [`./run render ${data.scene_file} -f picture.png -r ${words.w} ${words.h} -m ${words.bounces}`];
-  if (words.light_samples) options.push(`-l ${words.light_samples}`);
-  if (words.hemisphere) options.push("-H");
-  for (const name of ["show", "bounce", "survival", "engine", "camera", "seed"]) if (words[name]) options.push(`--${name} ${words[name]}`);
-  const [most, ...adaptive] = words.adaptive ? words.adaptive.split(",") : ["64"];
-  if (words.adaptive) options.push(`-a ${adaptive.join(" ")}`);
-  for (const each of data.from.split("+")) options.push(`--from ${each}`); // a handout takes the learner's files by default
-  if (data.boxed) return "none, because these are the tasks of a submission";
-  return now.view ? "none, because the camera was moved" : `${options.join(" ")} -s ${most}`;
-}
 
 // --- the picture ---
 
@@ -78,19 +40,9 @@ function chosen_picture() {
   return from === "both" && reference && reference.stage > 1 ? joined(own, reference, by_id("split").value / 100) : own;
 }
 
-const is_same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
-
-// The map of distances of a camera, if it is known.
-const depth_of = (camera) => (now.depth && is_same(now.depth.camera, camera) ? now.depth : null);
-
-// Asks for it, for the lines over the picture.
-async function find_depth() {
-  const { camera } = now;
-  if (!data.live || !now.paths || !camera || depth_of(camera)) return;
-  const words = query();
-  delete words.shown;
-  now.depth = { camera, ...await ask("depth", words) };
-  show_lines();
+function show_legend(color, low, high) {
+  paint_ramp(by_id("ramp"), color);
+  [by_id("low").textContent, by_id("high").textContent] = [low, high];
 }
 
 function show_picture() {
@@ -101,19 +53,19 @@ function show_picture() {
   if (!picture) return;
   const canvas = by_id("picture");
   now.camera = picture.camera;
-  document.body.style.setProperty("--shape", picture.width / picture.height);
-  const kind = controls.shown.value;
-  by_id("legend").hidden = kind === "light" || kind === "primitive";
-  if (from === "difference" && reference && reference.floats.length === own.floats.length) {
+  const { kind } = now;
+  by_id("legend").hidden = from !== "difference" && (kind === "light" || kind === "primitive");
+  if (from === "difference" && reference) {
     paint_difference(canvas, own, reference);
+    show_legend((t) => signed_color(2 * t - 1), "\u2212100 %", "+100 %");
   } else if (kind === "primitive" && picture.stage > 1) {
     paint_primitives(canvas, picture);
   } else if (kind !== "light") {
-    const [low, high] = paint_numbers(canvas, picture);
-    [by_id("low").textContent, by_id("high").textContent] = [shown(low), shown(high)];
+    show_legend(ramp, ...paint_numbers(canvas, picture).map(shown));
   } else {
-    paint_light(canvas, picture, controls.show.value === "normals" ? 1 : Number(controls.exposure.value));
+    paint_light(canvas, picture, controls.shown.value === "normals" ? 1 : 2 ** controls.exposure.value);
   }
+  fit_stage();
   show_lines();
 }
 
@@ -123,8 +75,7 @@ function show_bad(state) {
     const button = element("button", `${x}, ${y}`);
     button.type = "button";
     button.addEventListener("click", () => {
-      now.pixel = [x, y];
-      now.which = -1;
+      choose_pixel([x, y]);
       walk();
     });
     return button;
@@ -133,8 +84,7 @@ function show_bad(state) {
 
 function status_of(state) {
   const rays = state.rays / Math.max(state.seconds, 1e-9);
-  const words = [`${state.samples} samples per pixel`, `${shown(rays / 1e6)} M rays per second`, `${state.seconds.toFixed(1)} s`,
-    `engine ${state.engine}`];
+  const words = [`${state.samples} samples per pixel`, `${shown(rays / 1e6)} M rays per second`, `${state.seconds.toFixed(1)} s`];
   if (state.unwritten.length) words.push(`not written yet: ${state.unwritten.join(", ")}`);
   if (state.not_finite) words.push(`${state.not_finite} samples were not finite`);
   if (state.note) words.push(state.note);
@@ -143,71 +93,34 @@ function status_of(state) {
 
 function value_under_pointer() {
   const picture = chosen_picture();
-  const pixel = now.pointer ?? now.pixel;
+  const pixel = now.pointer ?? (is_pixel_here() ? now.pixel : null);
   if (!pixel || !picture) return "";
   const [x, y] = pixel;
   const i = 3 * ((picture.height - 1 - y) * picture.width + x);
-  const value = picture.floats.subarray(i, controls.shown.value === "light" ? i + 3 : i + 1);
-  return ` \u00b7 x ${x}, y ${y}: ${Array.from(value, shown).join(", ")}`;
+  const value = ({ floats }) => Array.from(floats.subarray(i, now.kind === "light" ? i + 3 : i + 1), shown).join(", ");
+  const { own, reference } = now.pictures;
+  const values = controls.from.value === "difference" && reference ? `${value(own)}, the reference ${value(reference)}` : value(picture);
+  return `x ${x}, y ${y}: ${values}`;
 }
 
 function show_status() {
-  if (now.pictures.own) by_id("status").textContent = status_of(now.pictures.own) + value_under_pointer();
-}
-
-// Asks for better pictures until there are none, or other ones are wanted.
-async function improve() {
-  if (!data.live) return;
-  const turn = ++now.asking;
-  by_id("command").textContent = command();
-  let goes_on = true;
-  while (goes_on && turn === now.asking) {
-    try {
-      const words = query();
-      const own = await ask("picture", words);
-      const wants_reference = controls.from.value !== "" && own.stage > 1;
-      const reference = wants_reference ? await ask("picture", { ...words, from: "reference" }) : null;
-      if (turn !== now.asking) return;
-      now.pictures = { own, reference };
-      complain("");
-      show_picture();
-      show_status();
-      show_bad(own);
-      if (own.stage > 1) await find_depth();
-      stage.dataset.samples = own.samples;
-      goes_on = own.goes_on;
-    } catch (error) {
-      if (turn === now.asking) complain(`${error.message.replace(/[.]?$/, ".")} The page goes on with the next change.`);
-      return;
-    }
-    await new Promise((resolve) => { setTimeout(resolve, document.hidden ? 1000 : 0); });
-  }
-}
-
-// After a save, the tasks are compiled and the page goes on with them.
-async function watch_saves() {
-  let known = 0;
-  for (;;) {
-    await new Promise((resolve) => { setTimeout(resolve, 200); });
-    const { saves, error } = await ask("saved", {}).catch(() => ({ saves: known, error: "" }));
-    if (saves === known) continue;
-    known = saves;
-    complain(error);
-    if (error) continue;
-    if (now.tree) show_tree().then(show_tree);
-    improve();
-    walk();
-  }
+  const { own } = now.latest;
+  if (!own) return;
+  by_id("status").textContent = `${status_of(own)}\n${value_under_pointer()}`;
+  by_id("engine").textContent = own.engine === controls.engine.value ? "" : `in use: ${own.engine}`;
 }
 
 // --- lines over it ---
 
 function show_lines() {
   const canvas = by_id("lines");
-  const box = by_id("picture").getBoundingClientRect();
-  canvas.width = Math.round(box.width * devicePixelRatio);
-  canvas.height = Math.round(box.height * devicePixelRatio);
+  canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
+  canvas.height = Math.round((canvas.width * by_id("picture").height) / by_id("picture").width);
   const context = canvas.getContext("2d");
+  const { times } = zoomed;
+  context.setTransform(times, 0, 0, times, -times * zoomed.x * canvas.width, -times * zoomed.y * canvas.height);
+  const picture = chosen_picture();
+  if (picture) draw_numbers(context, picture);
   const path = now.paths && now.paths.paths[now.which];
   const camera = now.camera && { ...now.camera, depth: depth_of(now.camera) };
   const tests = by_id("ray").hidden ? 0 : Number(by_id("test").value);
@@ -222,38 +135,28 @@ function show_lines() {
     const x = by_id("split").value / 100;
     for (const [style, size] of [["#000", 3], ["#fff", 1]]) draw_ends(context, [[x, 0], [x, 1]], style, size, []);
   }
-  if (!now.pixel) return;
+  if (!is_pixel_here()) return;
   const [x, y] = now.pixel;
   const [w, h] = [canvas.width / data.settings.w, canvas.height / data.settings.h];
   for (const [style, size] of [["#000", 3], ["#fff", 1]]) {
     context.strokeStyle = style;
-    context.lineWidth = size * devicePixelRatio;
+    context.lineWidth = size * pen();
     context.setLineDash([]);
-    context.strokeRect(x * w - 2, (data.settings.h - 1 - y) * h - 2, w + 4, h + 4);
+    const margin = 2 * pen();
+    context.strokeRect(x * w - margin, (data.settings.h - 1 - y) * h - margin, w + 2 * margin, h + 2 * margin);
   }
 }
 
 // --- the paths of a pixel ---
 
-async function walk() {
-  if (!data.live || !now.pixel) return;
-  by_id("paths").setAttribute("aria-busy", "true");
-  const words = { ...query(), x: now.pixel[0], y: now.pixel[1], samples: by_id("count").value };
-  delete words.shown;
-  try {
-    now.paths = await ask("paths", words);
-    now.reference = data.reference ? await ask("paths", { ...words, from: "reference" }) : null;
-    if (now.which < 0) show_first_red();
-    now.which = Math.min(now.which, now.paths.paths.length - 1);
-    await find_ray();
-    await find_depth();
-    complain("");
-  } catch (error) {
-    complain(error.message);
-  }
-  by_id("paths").removeAttribute("aria-busy");
-  show_paths();
+function choose_pixel(pixel) {
+  now.pixel = pixel;
+  now.pixel_from = words_of_eye();
+  now.which = -1;
 }
+
+// Returns whether the pixel is one of the picture that is shown: its camera may have been turned since.
+const is_pixel_here = () => now.pixel !== null && is_same(now.pixel_from, words_of_eye());
 
 function choose_path(which) {
   const count = now.paths ? now.paths.paths.length : 0;
@@ -287,13 +190,13 @@ function next_point(step) {
 }
 
 function show_paths() {
-  const { paths, pixel } = now;
+  const { paths } = now;
   const path = paths && paths.paths[now.which];
   by_id("walked").hidden = !path;
   show_lines();
   if (!path) return;
   by_id("hint").hidden = true;
-  by_id("pixel").textContent = `Paths of pixel x ${pixel[0]}, y ${pixel[1]}: mean ${paths.mean.map(shown).join(", ")}`;
+  by_id("pixel").textContent = `Paths of pixel x ${paths.x}, y ${paths.y}: mean ${paths.mean.map(shown).join(", ")}`;
   by_id("which").value = now.which + 1;
   by_id("which").max = paths.paths.length;
   by_id("of").textContent = `of ${paths.paths.length}`;
@@ -327,29 +230,12 @@ function next_red() {
   }
 }
 
-async function load_scene() {
-  const words = query();
-  delete words.shown;
-  now.scene = await ask("scene", words);
-}
-
 function save(blob, name) {
   const link = element("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
   URL.revokeObjectURL(link.href);
-}
-
-// The light itself, or the numbers of a false colour; by these tasks, unless the picture is by the reference.
-async function save_exr() {
-  const words = controls.from.value === "reference" ? { ...query(), from: "reference" } : query();
-  try {
-    const { file } = await ask("exr", words);
-    save(file, "picture.exr");
-  } catch (error) {
-    complain(error.message);
-  }
 }
 
 // A page without a server: its picture is a file in it.
@@ -361,6 +247,7 @@ function show_export() {
   by_id("command").textContent = command();
   if (data.numbers) {
     now.pictures.own = with_floats(data.numbers);
+    now.kind = data.settings.shown;
     show_picture();
     stage.dataset.ready = "yes";
   }
@@ -368,8 +255,8 @@ function show_export() {
   image.addEventListener("load", () => {
     const canvas = by_id("picture");
     [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
-    document.body.style.setProperty("--shape", canvas.width / canvas.height);
     canvas.getContext("2d").drawImage(image, 0, 0);
+    fit_stage();
     now.camera = now.scene.camera;
     now.depth = { camera: now.camera, ...with_floats(data.depth) };
     show_lines();
@@ -381,18 +268,58 @@ function show_export() {
   find_ray();
 }
 
+// What the controls beside their values say.
+function show_settings() {
+  const { show, bounces, exposure } = controls;
+  const k = bounces.value;
+  bounces.disabled = show.value === "direct";
+  by_id("bounced").textContent = { full: `up to ${k}`, direct: "1", indirect: `2 to ${k}`, bounce: `only ${k}` }[show.value];
+  by_id("stops").textContent = `\u00d7 ${Number((2 ** exposure.value).toPrecision(3))}`;
+}
+
+function change_settings() {
+  if (controls.show.value === "indirect") controls.bounces.value = Math.max(controls.bounces.value, 2);
+  data.settings.bounces = controls.bounces.value;
+  show_settings();
+  improve();
+}
+
+function change_exposure(step) {
+  controls.exposure.value = Number(controls.exposure.value) + step;
+  show_settings();
+  show_picture();
+}
+
+const kMinBounces = 10;  // at the end of the slider
+
+// The settings that the page begins with; a group of controls is open if it has one that is not the usual one.
+function begin_controls() {
+  const { settings } = data;
+  controls.bounces.max = Math.max(settings.bounces, kMinBounces);
+  controls.bounces.value = settings.bounce ?? settings.bounces;
+  for (const [name, usual] of Object.entries(kDefaults)) {
+    if (!settings[name]) continue;
+    const control = settings[name] === "normals" ? controls.shown : controls[name];
+    control.value = settings[name];
+    const group = control.closest("details");
+    if (group && control.value !== usual) group.open = true;
+  }
+  controls.shown.querySelector("[value=samples]").hidden = !settings.adaptive;
+  show_settings();
+}
+
 function begin() {
   by_id("title").textContent = `${data.scene_file}, by ${data.from}`;
   document.title = `${data.scene_file}, by ${data.from}`;
-  for (const name of ["bounces", ...Object.keys(kDefaults)]) {
-    if (data.settings[name]) controls[name].value = data.settings[name];
-  }
-  controls.shown.querySelector("[value=samples]").hidden = !data.settings.adaptive;
+  begin_controls();
   by_id("count").value = data.settings.samples;
   document.querySelector(".beside").hidden = !data.reference;
-  paint_ramp(by_id("ramp"));
+  now.pixel_from = words_of_eye();
   document.addEventListener("keydown", on_key);
-  window.addEventListener("resize", show_lines);
+  window.addEventListener("resize", () => {
+    fit_stage();
+    show_lines();
+  });
   by_id("previous").addEventListener("click", () => choose_path(now.which - 1));
   by_id("next").addEventListener("click", () => choose_path(now.which + 1));
   by_id("red").addEventListener("click", next_red);
@@ -401,12 +328,15 @@ function begin() {
   if (!data.live) return show_export();
   listen_to_pointer();
   by_id("count").addEventListener("change", walk);
-  by_id("controls").addEventListener("change", (event) => {
-    if (event.target.name === "exposure") return show_picture();
-    data.settings.bounces = controls.bounces.value;
-    if (event.target.name === "camera") return go_home();
-    improve();
-    if (event.target.name !== "shown" && event.target.name !== "from") walk();
+  by_id("controls").addEventListener("change", ({ target }) => {
+    if (target.name === "zoom") return zoom_to(Number(target.value), place_to_zoom());
+    if (target.name === "camera") return go_home();
+    if (target.name !== "exposure") change_settings();
+    if (!["exposure", "shown", "from"].includes(target.name)) walk();
+  });
+  by_id("controls").addEventListener("input", ({ target }) => {
+    if (target.name === "exposure") change_exposure(0);
+    if (target.name === "bounces") change_settings();
   });
   by_id("controls").addEventListener("submit", (event) => event.preventDefault());
   by_id("home").addEventListener("click", go_home);
@@ -415,7 +345,7 @@ function begin() {
   by_id("save").addEventListener("click", () => by_id("picture").toBlob((blob) => save(blob, "picture.png")));
   by_id("save_exr").addEventListener("click", save_exr);
   by_id("split").addEventListener("input", show_picture);
-  load_scene().then(improve).then(undefined, (error) => complain(error.message));
+  load_scene().then(improve, () => {});
   walk();
   if (data.watched) watch_saves();
 }

@@ -95,6 +95,7 @@ Answer Answers::picture(const Query& query) {
                    {"height", picture.view.height},
                    {"camera", to_json(picture.view.camera)},
                    {"stage", picture.stage},
+                   {"whole", picture.next_pixel == 0},
                    {"samples", picture.samples},
                    {"rays", picture.rays.closest + picture.rays.occluded},
                    {"seconds", picture.seconds},

@@ -16,13 +16,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kTile = 16, kCoarse = 4;
+constexpr int kCoarse = 4;
 constexpr int kFirstPass = 2,
               kMaxPass = 16;  // samples; one sample would go through the centre of the pixel
 constexpr long long kMaxSamples = 1 << 16;
 constexpr std::size_t kMaxBad = 20;
-
-int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 // The picture that a stage renders: the first two have fewer pixels.
 pt::View view_of_stage(const Picture& picture) {
@@ -136,16 +134,6 @@ void render(Picture& picture, const pt::View& view, int x, int y, std::mutex& no
   if (!is_known && picture.bad.size() < kMaxBad) picture.bad.push_back({x, y});
 }
 
-void render_tile(Picture& picture, const pt::View& view, int tile, std::mutex& noting) {
-  const int columns = tiles_across(view.width);
-  const int x0 = tile % columns * kTile, y0 = tile / columns * kTile;
-  for (int y = y0; y < std::min(y0 + kTile, view.height); ++y) {
-    for (int x = x0; x < std::min(x0 + kTile, view.width); ++x) {
-      render(picture, view, x, y, noting);
-    }
-  }
-}
-
 double brightest(const Picture& picture) {
   double most = 0;
   for (const Picture::Sum& sum : picture.sums) most = std::max(most, max_channel(sum.mean));
@@ -166,16 +154,16 @@ bool improve(Picture& picture, std::chrono::milliseconds time) {
   if (picture.samples >= kMaxSamples) return false;
   const auto start = Clock::now();
   const pt::View view = view_of_stage(picture);
-  const int tiles = tiles_across(view.width) * tiles_across(view.height);
-  std::atomic<int> next = picture.next_tile;
+  const int pixels = view.width * view.height;
+  std::atomic<int> next = picture.next_pixel;
   std::mutex noting;
   {
     const auto work = [&] {
       const pt::RayCount before = pt::rays_traced();
       while (Clock::now() - start < time) {
-        const int tile = next++;
-        if (tile >= tiles) break;
-        render_tile(picture, view, tile, noting);
+        const int pixel = next++;
+        if (pixel >= pixels) break;
+        render(picture, view, pixel % view.width, pixel / view.width, noting);
       }
       const pt::RayCount after = pt::rays_traced();
       const std::lock_guard lock(noting);
@@ -186,11 +174,11 @@ bool improve(Picture& picture, std::chrono::milliseconds time) {
     for (int i = 1; i < picture.settings.render.threads; ++i) threads.emplace_back(work);
     work();
   }
-  picture.next_tile = std::min(next.load(), tiles);
+  picture.next_pixel = std::min(next.load(), pixels);
   picture.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-  if (picture.next_tile < tiles) return true;
+  if (picture.next_pixel < pixels) return true;
   if (picture.stage >= 2) picture.samples += samples_of(picture);
-  picture.next_tile = 0;
+  picture.next_pixel = 0;
   ++picture.stage;
   // The page has a control for the exposure.
   const bool is_first = picture.stage == 3;

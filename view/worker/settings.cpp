@@ -109,8 +109,10 @@ std::optional<Eye> eye_of(const Query& query) {
 Settings settings_of(const Query& query) {
   Settings settings;
   const auto known = [](const std::string& name) {
-    static const std::array<const char*, 11> kOwn{
-        "samples", "w", "h", "x", "y", "eye", "target", "up", "shown", "hemisphere", "adaptive"};
+    // With `beside`, a picture begins anew, together with the one that it is compared with.
+    static const std::array<const char*, 12> kOwn{"samples", "w",          "h",        "x",
+                                                  "y",       "eye",        "target",   "up",
+                                                  "shown",   "hemisphere", "adaptive", "beside"};
     for (const char* own : kOwn) {
       if (name == own) return true;
     }
