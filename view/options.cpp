@@ -65,7 +65,10 @@ Settings settings_of(const grader::pictures::Recipe& recipe) {
 
 // A picture by which the grader judges has a name; a file has an ending.
 void open_recipe(Options& options, const std::filesystem::path& recipes) {
-  if (options.scene.has_extension() || options.scene.has_parent_path()) return;
+  if (options.scene.has_extension() || options.scene.has_parent_path()) {
+    options.settings["whole"] = "1";
+    return;
+  }
   const auto all = grader::pictures::load_recipes(recipes);
   const auto& recipe = grader::pictures::find(all, options.scene.string());
   options.scene = std::filesystem::proximate(recipe.scene);

@@ -33,6 +33,11 @@ const canvas = document.getElementById('picture');
 const { data } = canvas.getContext('2d').getImageData(0, 0, 96, 72);
 return canvas.width === 96 && data.filter((value, i) => i % 4 < 3 && value > 20).length > 10000;
 E2
+expect 'a small picture shows the whole view of the camera of the course' <<'E2'
+const { min, max } = now.scene;
+return [0, 1, 2, 3, 4, 5, 6, 7].every((i) => project(now.camera, min.map((low, axis) => ((i >> axis) & 1 ? max[axis] : low))).every((at) => at > 0 && at < 1))
+  && document.getElementById('command').textContent !== '';
+E2
 stage=$(element '#stage')
 pointer "$stage" 0 100 click
 until_true 'a click traces the paths of the pixel' <<'E2'

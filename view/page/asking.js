@@ -84,7 +84,7 @@ function words_of_eye() {
 // The settings that differ from the usual ones, as words of a request.
 function query() {
   const words = { w: data.settings.w, h: data.settings.h, bounces: controls.bounces.value, ...words_of_eye() };
-  for (const name of ["seed", "adaptive"]) if (data.settings[name]) words[name] = data.settings[name];
+  for (const name of ["seed", "adaptive", "whole"]) if (data.settings[name]) words[name] = data.settings[name];
   for (const [name, usual] of Object.entries(kDefaults)) {
     if (name !== "camera" && controls[name].value !== usual) words[name] = controls[name].value;
   }
@@ -98,8 +98,11 @@ function query_of_pixel() {
 }
 
 function command() {
-  const words = { ...query() };
-  const options = [`./run render ${data.scene_file} -f picture.png -r ${words.w} ${words.h} -m ${words.bounces}`];
+  const words = query();
+  // As in view/worker/settings.cpp.
+  const scale = words.whole && !words.camera ? Math.max(1, 480 / words.w, 360 / words.h) : 1;
+  const [w, h] = [words.w, words.h].map((side) => Math.round(scale * side));
+  const options = [`./run render ${data.scene_file} -f picture.png -r ${w} ${h} -m ${words.bounces}`];
   if (words.light_samples) options.push(`-l ${words.light_samples}`);
   if (words.hemisphere) options.push("-H");
   for (const name of ["show", "bounce", "survival", "engine", "camera", "seed"]) if (words[name]) options.push(`--${name} ${words[name]}`);

@@ -2,6 +2,7 @@
 
 #include "pt/error.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -110,9 +111,10 @@ Settings settings_of(const Query& query) {
   Settings settings;
   const auto known = [](const std::string& name) {
     // With `beside`, a picture begins anew, together with the one that it is compared with.
-    static const std::array<const char*, 12> kOwn{"samples", "w",          "h",        "x",
+    static const std::array<const char*, 13> kOwn{"samples", "w",          "h",        "x",
                                                   "y",       "eye",        "target",   "up",
-                                                  "shown",   "hemisphere", "adaptive", "beside"};
+                                                  "shown",   "hemisphere", "adaptive", "beside",
+                                                  "whole"};
     for (const char* own : kOwn) {
       if (name == own) return true;
     }
@@ -134,6 +136,7 @@ Settings settings_of(const Query& query) {
   settings.x = number("x", 0, 0, settings.render.width - 1);
   settings.y = number("y", 0, 0, settings.render.height - 1);
   settings.eye = eye_of(query);
+  settings.whole = query.contains("whole");
   if (query.contains("shown")) {
     const auto found = kShown.find(query.at("shown"));
     if (found == kShown.end()) throw pt::Error("nothing is shown as '" + query.at("shown") + "'");
@@ -144,7 +147,13 @@ Settings settings_of(const Query& query) {
 
 pt::View view_of(const pt::LoadedScene& loaded, const Settings& settings) {
   const pt::RenderOptions& render = settings.render;
-  pt::Camera camera = frame_camera(loaded, render.framing, render.width, render.height);
+  // The course's camera cuts a window of so many pixels: a small one would show a part of the scene.
+  const bool is_cut = settings.whole && render.framing == pt::Framing::course;
+  const double scale =
+      is_cut ? std::max({1.0, 480.0 / render.width, 360.0 / render.height}) : 1.0;
+  const auto scaled = [&](int side) { return static_cast<int>(std::lround(scale * side)); };
+  pt::Camera camera =
+      frame_camera(loaded, render.framing, scaled(render.width), scaled(render.height));
   if (settings.eye) {
     const pt::Vec3 z = normalize(settings.eye->position - settings.eye->target);
     const pt::Vec3 x = normalize(cross(settings.eye->up, z));

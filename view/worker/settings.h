@@ -33,6 +33,7 @@ enum class Shown {
 struct Settings {
   pt::RenderOptions render;
   std::optional<Eye> eye;
+  bool whole = false;  // a smaller picture than the usual one shows as much of the scene
   Shown shown = Shown::light;
   int x = 0, y = 0;  // a pixel, as the tasks count: from the bottom left
 };
