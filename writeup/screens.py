@@ -69,9 +69,9 @@ BUGS = [("2_bvh/hit_bvh", "range_overwritten", "bvh_coil", "44 27", 330), ("2_bv
         ("1_rays/hit_triangle", "t_never_stored", "direct_large_light", "48 35", 490),
         ("4_global/trace_path", "bsdf_applied_twice", "global_indirect", "48 20", 612),
         ("5_adaptive/adaptive_pixel", "running_total_as_the_sample", "adaptive_fine", "16 12", 300)]
-ONLY_FINDING = """<style>#status, main .note, .chooser, #reference_title, #reference, #draws, #ray, footer,
+ONLY_FINDING = """<style>#status, main .note, .chooser, #controls, #reference_title, #reference, #draws, #ray, footer,
 .brand, #own_title, .path tr > :nth-child(n + 8) { display: none !important } .stage { max-width: 320px }
-main h2 { margin: 0.6rem 0 0.2rem; font-size: 1rem } body { padding-top: 0 }</style>"""
+main { gap: 0.2rem } main h2 { margin: 0.6rem 0 0.2rem; font-size: 1rem } body.view { padding-top: 0 }</style>"""
 
 
 def add_style(page, style):

@@ -62,6 +62,16 @@ return document.querySelectorAll('#own td.differs').length === 1
   && document.querySelectorAll('#reference td.differs').length === 1
   && document.querySelector('#own td.differs').dataset.cell === 'part';
 E2
+expect 'before trace_path is written, the table has no words of later parts' <<'E2'
+const heads = () => [...document.querySelectorAll('#own thead th')].map((head) => head.textContent).join();
+const { unwritten } = now.paths, before = heads();
+now.paths.unwritten = ['trace_path'];
+show_paths();
+const early = heads();
+now.paths.unwritten = unwritten;
+show_paths();
+return early === ',point,n,wo' && before.includes('throughput') && heads() === before;
+E2
 points=$(element '#points')
 post "$session/element/$points/value" '{"text": "\uE015"}' >/dev/null
 expect 'an arrow key in the table chooses another point' <<'E2'

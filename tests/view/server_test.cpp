@@ -156,6 +156,20 @@ TEST(Live, compiles_what_is_saved_and_starts_the_tasks_anew) {
   fs::remove_all(folder);
 }
 
+TEST(Live, a_question_in_an_endless_loop_is_answered_by_the_new_program) {
+  const fs::path changed = fs::temp_directory_path() / ("view_new_" + std::to_string(getpid()));
+  Child child({{"/bin/bash", "-c",
+                "while read -r line <&3; do [ -e " + changed.string() +
+                    R"( ] || sleep 100; printf '{"size":0,"state":{"seen":"new"}}\n' >&4; done)"}});
+  const std::jthread saving([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::ofstream(changed) << "new";
+    child.restart();
+  });
+  EXPECT_EQ(child.ask("scene", {}).state.at("seen"), "new");
+  fs::remove(changed);
+}
+
 TEST(Tokens, differ_and_are_long) {
   EXPECT_EQ(random_token().size(), 32U);
   EXPECT_NE(random_token(), random_token());

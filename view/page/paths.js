@@ -23,10 +23,10 @@ function survival_of(bounce, i, path, settings) {
   const drawn = bounce.drawn.map(shown).join(", ");
   if (!bounce.wi) {
     if (i + 1 >= settings.bounces) return "bounce limit";
-    return drawn ? `${drawn}: ends` : "ends";
+    return drawn ? `${drawn}:\nends` : "ends";
   }
   const divided = bounce.survival === 1 ? "" : `\n\u00f7 ${shown(bounce.survival)}`;
-  return `${drawn ? `${drawn}: goes on` : "goes on"}${divided}${last ? "\nleaves the scene" : ""}`;
+  return `${drawn ? `${drawn}:\ngoes on` : "goes on"}${divided}${last ? "\nleaves the scene" : ""}`;
 }
 
 // The columns: the name of a cell, its head, and its text. Names are those of findings (view/worker/check.h).
@@ -73,14 +73,17 @@ function first_difference(a, b) {
   return null;
 }
 
+// The columns that say something, before trace_path is written and after.
+const columns_of = (unwritten) => (unwritten.includes("trace_path") ? kColumns.slice(0, 3) : kColumns);
+
 // `choose` is called with the number of the point whose row was pressed.
-function fill_table(table, path, settings, chosen, difference, choose) {
+function fill_table(table, columns, path, settings, chosen, difference, choose) {
   const head = element("tr");
-  head.append(element("th", ""), ...kColumns.map(([, title]) => element("th", title)));
+  head.append(element("th", ""), ...columns.map(([, title]) => element("th", title)));
   const rows = path.bounces.map((bounce, i) => {
     const row = element("tr", undefined, i === chosen ? "current" : "");
     row.append(element("th", String(i + 1)));
-    for (const [name, , text] of kColumns) {
+    for (const [name, , text] of columns) {
       const cell = element("td", text(bounce, i, path, settings));
       cell.dataset.cell = name;
       const broken = path.findings.find((each) => each.bounce === i + 1 && each.cell === name);
@@ -97,7 +100,7 @@ function fill_table(table, path, settings, chosen, difference, choose) {
   const [thead, tbody] = [element("thead"), element("tbody")];
   thead.append(head);
   tbody.append(...rows);
-  table.replaceChildren(thead, tbody);
+  table.replaceChildren(...(rows.length ? [thead, tbody] : []));
 }
 
 function fill_draws(table, bounce) {
@@ -117,7 +120,10 @@ function fill_draws(table, bounce) {
   table.replaceChildren(head, ...rows);
 }
 
-function sentence_of_sum(path) {
+function sentence_of_sum(path, unwritten) {
+  const missing = unwritten.length ? `; not written yet: ${unwritten.join(", ")}` : "";
+  if (!path.bounces.length) return [`The ray meets nothing${missing}.`, "note"];
+  if (unwritten.includes("trace_path")) return [`The ray meets primitive ${path.bounces[0].primitive}${missing}.`, "note"];
   const [sum, traced] = [path.sum, path.traced].map((c) => c.map(shown).join(", "));
   if (!path.one) return ["The task does not walk one path here, so its parts cannot be told apart.", ""];
   if (path.same) return [`The parts add up to what trace_path returned, bit for bit: ${traced}.`, "same"];

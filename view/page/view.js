@@ -171,7 +171,7 @@ function show_reference(path) {
   by_id("reference").hidden = by_id("reference_title").hidden = by_id("difference").hidden = !beside;
   if (!beside) return null;
   const difference = first_difference(path, beside);
-  fill_table(by_id("reference"), beside, data.settings, now.point, difference, choose_point);
+  fill_table(by_id("reference"), columns_of(now.paths.unwritten), beside, data.settings, now.point, difference, choose_point);
   by_id("difference").textContent = difference
     ? `The first number that differs is outlined: point ${difference.bounce}, ${difference.cell}.`
     : "No number differs.";
@@ -189,28 +189,35 @@ function next_point(step) {
   choose_point(Math.max(Math.min(now.point + step, last), 0));
 }
 
+// A task that calls none.
+function show_no_paths() {
+  if (!now.paths) return;
+  by_id("findings").replaceChildren(...now.paths.findings.map(finding_line));
+  by_id("hint").hidden = false;
+  by_id("pixel").textContent = `Pixel x ${now.paths.x}, y ${now.paths.y}: no path was traced`;
+  by_id("hint").textContent = now.paths.unwritten.length ? `Not written yet: ${now.paths.unwritten.join(", ")}.` : "";
+}
+
 function show_paths() {
   const { paths } = now;
   const path = paths && paths.paths[now.which];
   by_id("walked").hidden = !path;
   show_lines();
-  if (!path) return;
+  if (!path) return show_no_paths();
   by_id("hint").hidden = true;
   by_id("pixel").textContent = `Paths of pixel x ${paths.x}, y ${paths.y}: mean ${paths.mean.map(shown).join(", ")}`;
   by_id("which").value = now.which + 1;
   by_id("which").max = paths.paths.length;
   by_id("of").textContent = `of ${paths.paths.length}`;
   by_id("red").hidden = !paths.paths.some((each) => each.findings.length);
-  const [sentence, kind] = sentence_of_sum(path);
+  const [sentence, kind] = sentence_of_sum(path, paths.unwritten);
   const emitted = path.emission.some((c) => c > 0) ? ` The surface also emits ${path.emission.map(shown).join(", ")} towards the camera.` : "";
-  const unwritten = paths.unwritten.length ? `; not written yet: ${paths.unwritten.join(", ")}` : "";
-  const nothing = `The ray meets nothing${unwritten}.`;
-  by_id("sum").textContent = path.bounces.length ? sentence + emitted : nothing;
-  by_id("sum").className = path.bounces.length ? kind : "note";
+  by_id("sum").textContent = sentence + emitted;
+  by_id("sum").className = kind;
   by_id("findings").replaceChildren(...[...paths.findings, ...path.findings].map(finding_line));
   const difference = show_reference(path);
   by_id("own_title").textContent = data.from === "reference" ? "" : `By ${data.from}`;
-  fill_table(by_id("own"), path, data.settings, now.point, difference, choose_point);
+  fill_table(by_id("own"), columns_of(paths.unwritten), path, data.settings, now.point, difference, choose_point);
   fill_draws(by_id("lights"), path.bounces[now.point]);
 }
 

@@ -15,8 +15,9 @@ namespace view {
 struct Picture {
   Settings settings;
   pt::View view;
-  int stage = 0;          // 0, 1: coarse; from 2 on: passes over all pixels
-  int next_pixel = 0;     // of the stage; 0: the stage before it is finished, and nothing of this one is shown
+  int stage = 0;  // 0, 1: coarse; from 2 on: passes over all pixels
+  int next_pixel =
+      0;  // of the stage; 0: the stage before it is finished, and nothing of this one is shown
   long long samples = 0;  // per pixel, in the passes that are complete
   double seconds = 0;
   pt::RayCount rays{};

@@ -111,10 +111,9 @@ Settings settings_of(const Query& query) {
   Settings settings;
   const auto known = [](const std::string& name) {
     // With `beside`, a picture begins anew, together with the one that it is compared with.
-    static const std::array<const char*, 13> kOwn{"samples", "w",          "h",        "x",
-                                                  "y",       "eye",        "target",   "up",
-                                                  "shown",   "hemisphere", "adaptive", "beside",
-                                                  "whole"};
+    static const std::array<const char*, 13> kOwn{
+        "samples", "w",     "h",          "x",        "y",      "eye",  "target",
+        "up",      "shown", "hemisphere", "adaptive", "beside", "whole"};
     for (const char* own : kOwn) {
       if (name == own) return true;
     }
@@ -149,8 +148,7 @@ pt::View view_of(const pt::LoadedScene& loaded, const Settings& settings) {
   const pt::RenderOptions& render = settings.render;
   // The course's camera cuts a window of so many pixels: a small one would show a part of the scene.
   const bool is_cut = settings.whole && render.framing == pt::Framing::course;
-  const double scale =
-      is_cut ? std::max({1.0, 480.0 / render.width, 360.0 / render.height}) : 1.0;
+  const double scale = is_cut ? std::max({1.0, 480.0 / render.width, 360.0 / render.height}) : 1.0;
   const auto scaled = [&](int side) { return static_cast<int>(std::lround(scale * side)); };
   pt::Camera camera =
       frame_camera(loaded, render.framing, scaled(render.width), scaled(render.height));
