@@ -40,7 +40,7 @@ look() {
 }
 sizes() { echo "server ${now[server]}, tasks ${now[own]}, reference ${now[reference]} KiB"; }
 
-kKeys=(a d w s + - r l b v f c t n p '.' ',' '[' ']' 1 2 3 4 5)
+kKeys=(a d w s + - r l b v f c t n p z Z e E '.' ',' '[' ']' 1 2 3 4 5)
 saves=0 steps=0 first_sizes=
 start=$SECONDS
 while [ $((SECONDS - start)) -lt "$seconds" ]; do

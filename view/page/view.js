@@ -281,6 +281,11 @@ function show_settings() {
   const k = bounces.value;
   bounces.disabled = show.value === "direct";
   by_id("bounced").textContent = { full: `up to ${k}`, direct: "1", indirect: `2 to ${k}`, bounce: `only ${k}` }[show.value];
+  for (const group of by_id("controls").querySelectorAll("details")) {
+    const is_changed = Object.entries(kDefaults).some(([name, usual]) => controls[name].value !== usual && group.contains(controls[name]));
+    group.firstElementChild.classList.toggle("changed", is_changed);
+    group.firstElementChild.title = is_changed ? "It has settings that are not the usual ones." : "";
+  }
   by_id("stops").textContent = `\u00d7 ${Number((2 ** exposure.value).toPrecision(3))}`;
 }
 
@@ -299,17 +304,14 @@ function change_exposure(step) {
 
 const kMinBounces = 10;  // at the end of the slider
 
-// The settings that the page begins with; a group of controls is open if it has one that is not the usual one.
+// The settings that the page begins with.
 function begin_controls() {
   const { settings } = data;
   controls.bounces.max = Math.max(settings.bounces, kMinBounces);
   controls.bounces.value = settings.bounce ?? settings.bounces;
-  for (const [name, usual] of Object.entries(kDefaults)) {
-    if (!settings[name]) continue;
+  for (const name of Object.keys(kDefaults)) {
     const control = settings[name] === "normals" ? controls.shown : controls[name];
-    control.value = settings[name];
-    const group = control.closest("details");
-    if (group && control.value !== usual) group.open = true;
+    control.value = settings[name] ?? control.value;
   }
   controls.shown.querySelector("[value=samples]").hidden = !settings.adaptive;
   show_settings();
@@ -337,6 +339,7 @@ function begin() {
   by_id("count").addEventListener("change", walk);
   by_id("controls").addEventListener("change", ({ target }) => {
     if (target.name === "zoom") return zoom_to(Number(target.value), place_to_zoom());
+    show_settings();
     if (target.name === "camera") return go_home();
     if (target.name !== "exposure") change_settings();
     if (!["exposure", "shown", "from"].includes(target.name)) walk();
