@@ -18,7 +18,7 @@ firstlight_test(test_export quick PATHS SOURCES pt/scene/export_test.cpp LIBRARI
 firstlight_test(test_meshes rest SOURCES pt/scene/meshes_test.cpp LIBRARIES scene_meshes)
 firstlight_test(test_scenes quick PATHS SOURCES pt/scene/scenes_test.cpp LIBRARIES pt_loader NEEDS generate
   DEFINES FIRSTLIGHT_SCENES="${PROJECT_SOURCE_DIR}/scenes" FIRSTLIGHT_GENERATE="$<TARGET_FILE:generate>")
-firstlight_test(test_image quick SOURCES pt/image/image_test.cpp pt/image/image_io_test.cpp LIBRARIES pt_image)
+firstlight_test(test_image quick SOURCES pt/image/accuracy_test.cpp pt/image/image_test.cpp pt/image/image_io_test.cpp LIBRARIES pt_image)
 firstlight_test(test_fast quick SOURCES pt/render/fast_test.cpp CHOICES camera_ray=fast direct_lights=fast)
 firstlight_test(test_render quick SOURCES pt/render/render_test.cpp LIBRARIES pt_rows pt_progress RADIANCE recorded)
 

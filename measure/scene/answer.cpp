@@ -104,6 +104,8 @@ double relative_price_error(const Option& option) {
   return of_it.value > 0 ? of_it.error / of_it.value : 0;
 }
 
+// The settings whose picture has the error. Noise alone predicts the first try; pixels that stop too
+// early add a bias, and the second try makes up for it.
 std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best, double error) {
   const Choice& choice = *best.choice;
   if (choice.samples < 16) return std::nullopt;
@@ -113,13 +115,14 @@ std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best,
   const double left = error * error - best.model.bias2;
   settings.tolerance = tolerance_for(noise, settings, left);
   const pt::PathSettings path = path_of(best.way, choice.light_samples);
-  AdaptiveOption option{
-      settings, study.check(path, {1, settings, 0, 1}, choice.seconds, best.model.bias2), {}, {}};
-  // The variance of a mean of n samples falls as 1 / n, also where n depends on the pixel.
-  const double variance =
-      std::max(option.checked.error.value * option.checked.error.value - best.model.bias2, 0.0);
-  const double times = option.checked.seconds * variance / left / choice.seconds;
+  const auto check = [&] { return study.check(path, {1, settings, 0, 1}, choice.seconds, {}); };
+  const double first = check().error.value;
+  settings.tolerance *= std::min(1.0, error / first);
+  AdaptiveOption option{settings, check(), {}, {}};
+  // What is left between the two errors: error^2 falls as 1 / time, about.
   const Uncertain& seen = option.checked.error;
+  const double times =
+      option.checked.seconds / choice.seconds * std::pow(seen.value / error, 2);
   const double of_error = seen.value > 0 ? 2 * seen.error / seen.value : 0;
   option.times = {times, times * std::hypot(of_error, relative_price_error(best))};
   std::vector<double> squares;
@@ -250,7 +253,8 @@ Answer find_cheapest(Study& study, const pt::View& view, const Options& options)
 
   const Choice& choice = *answer.best.choice;
   answer.checked = study.check(path_of(answer.best.way, choice.light_samples),
-                               {choice.samples, {}, 0, 1}, choice.seconds, answer.best.model.bias2);
+                               {choice.samples, {}, 0, 1}, choice.seconds,
+                               Uncertain{answer.best.model.bias2, 0});
   answer.adaptive = look_at_adaptive(study, answer.best, error);
   answer.unwritten = unwritten_tasks();
   if (is_unwritten(answer, "adaptive_pixel")) answer.adaptive.reset();

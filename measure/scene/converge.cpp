@@ -50,19 +50,21 @@ void add_products(MethodCurve& curve) {
 MethodCurve measured(Study& study, const Method& method, double part) {
   MethodCurve curve{method, {}, {}, {}, {}, false, false};
   const Tried tried = study.try_out(method.way, {method.light_samples})[0];
-  const double bias2 = std::pow(seen_bias(tried.bias2).value_or(0), 2);
+  const Uncertain of_way = seen_bias(tried.bias2) ? tried.bias2 : Uncertain{};
   curve.heavy_tails = tried.variance.error > kHeavy * tried.variance.value;
   const pt::PathSettings path = path_of(method.way, method.light_samples);
   for (std::size_t i = 0; i < std::size(kSamples); ++i) {
     pt::RenderSettings settings{kSamples[i], {}, 0, 1};
+    std::optional<Uncertain> bias2 = of_way;
     if (method.adaptive) {
       settings.adaptive = pt::AdaptiveSettings{kMaxAdaptive, kBatch, kTolerances[i]};
+      bias2.reset();  // a pixel may stop too early, which is a bias of these settings
     }
     curve.points.push_back(study.check(path, settings, kSamples[i] * tried.seconds.value, bias2,
                                        part / std::size(kSamples)));
   }
   const double last = curve.points.back().error.value;
-  curve.fails = bias2 > last * last / 2;
+  curve.fails = of_way.value > last * last / 2;
   curve.slope = slope_of(curve.points);
   add_products(curve);
   return curve;

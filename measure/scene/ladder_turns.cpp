@@ -13,7 +13,7 @@ constexpr double kTrial = 40;        // pixels of a first look
 constexpr double kFewestTimed = 12;  // pixels of a turn of engines
 constexpr double kFewestSeen = 300;  // pixels of a picture
 
-std::size_t pixels_of(const Turning& turning) { return turning.study.weights().size(); }
+std::size_t pixels_of(const Turning& turning) { return turning.study.goldens().size(); }
 
 // The step that selects about `wanted` pixels.
 std::size_t step_for(const Turning& turning, double wanted) {
@@ -46,7 +46,7 @@ struct TurnSums {
     const std::vector<double> products = study.products(a.mean, b.mean, step);
     for (std::size_t i = 0; i < sum.size(); ++i) {
       const double difference = a.mean[i] - b.mean[i];
-      const double value = study.weights()[i * step] * difference * difference / 2;
+      const double value = study.goldens().weight(i * step) * difference * difference / 2;
       sum[i] += value;
       squares[i] += value * value;
       bias[i] += products[i] / kRounds;

@@ -6,9 +6,8 @@
 #include <span>
 #include <vector>
 
-// A model of the error and the time of a picture, from their parts. Errors are relative: the root
-// of relMSE, which is the mean of (x - g)^2 / (g + d)^2 over all pixels, in luminance. d is 4 % of the
-// mean of g (pt::dark_of), so that the brightness of the lamps does not matter.
+// A model of the error and the time of a picture, from their parts. Errors are those of
+// pt/image/accuracy.h: roots of relMSE.
 
 namespace measure::scene {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace measure::scene {
@@ -31,12 +30,12 @@ class Stopwatch {
 // The weighted mean over the pixels of two independent halves. Its standard error comes from the
 // differences between the halves: differences between pixels are not errors.
 Uncertain mean_of_halves(const std::vector<double>& a, const std::vector<double>& b,
-                         const std::vector<double>& weight) {
+                         const pt::Goldens& goldens) {
   const auto n = static_cast<double>(a.size());
   double sum = 0, squares = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const double half = weight[i] * (a[i] - b[i]) / 2;
-    sum += weight[i] * (a[i] + b[i]) / 2;
+    const double half = goldens.weight(i) * (a[i] - b[i]) / 2;
+    sum += goldens.weight(i) * (a[i] + b[i]) / 2;
     squares += half * half;
   }
   return {sum / n, std::sqrt(squares) / n};
@@ -119,28 +118,21 @@ void Study::look_at_bounces(int bounces, const std::function<void(double)>& anno
               renders * std::max(kOfOneRender * limits_.seconds, kFewestTried * plain * of_all);
   if (announce) announce(expected_);
   std::vector<std::vector<double>> rest[2];
+  std::vector<double> golden[2];
   for (int half = 0; half < 2; ++half) {
     rest[half] = missing(made_apart(view, next_render(samples / 2), ranges, pixels_));
-    golden_[half] = rest[half][0];
+    golden[half] = rest[half][0];
     if (bounces > kToldApart) continue;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      golden_[half][i] -= rest[half][bounces + 1][i];
+      golden[half][i] -= rest[half][bounces + 1][i];
     }
   }
-  double sum = 0;
-  for (const std::vector<double>& golden : golden_) {
-    sum = std::accumulate(golden.begin(), golden.end(), sum);
-  }
-  const double dark = pt::dark_of(sum / (2 * static_cast<double>(pixels_.size())));
-  for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const double g = (golden_[0][i] + golden_[1][i]) / 2 + dark;
-    weight_.push_back(1 / (g * g));
-  }
+  goldens_ = {golden[0], golden[1]};
   // The noise of two independent means does not bias their product.
   for (int m = 0; m <= kToldApart; ++m) {
     std::vector<double> squares;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      squares.push_back(weight_[i] * rest[0][m + 1][i] * rest[1][m + 1][i]);
+      squares.push_back(goldens_.weight(i) * rest[0][m + 1][i] * rest[1][m + 1][i]);
     }
     bias2_.push_back(mean_of(squares));
     bias2_.back().value = std::max(0.0, bias2_.back().value);
@@ -177,7 +169,7 @@ double Study::cpu_seconds_in(double seconds) const {
 }
 
 bool Study::is_black() const {
-  return std::all_of(golden_[0].begin(), golden_[0].end(), [](double g) { return g == 0; });
+  return !(goldens_.dark() > 0);
 }
 
 std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_samples) {
@@ -195,7 +187,7 @@ std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_
   std::vector<Tried> tried;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const RenderedPixels &a = halves[0][k], &b = halves[1][k];
-    tried.push_back({light_samples[k], mean_of_halves(a.variance, b.variance, weight_),
+    tried.push_back({light_samples[k], mean_of_halves(a.variance, b.variance, goldens_),
                      seconds_of(a, b), mean_of(products(a.mean, b.mean, 1)),
                      static_cast<double>(a.rays) / static_cast<double>(a.all_samples())});
   }
@@ -209,13 +201,13 @@ std::vector<Study::PixelNoise> Study::pixel_noise(const Way& way, int light_samp
   std::vector<PixelNoise> noise;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const double v = measured.variance[i], g = measured.mean[i];
-    noise.push_back({v * weight_[i], g > 0 ? v / (g * g) : 0});
+    noise.push_back({v * goldens_.weight(i), g > 0 ? v / (g * g) : 0});
   }
   return noise;
 }
 
 Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& settings,
-                     double seconds, double bias2, double part) {
+                     double seconds, const std::optional<Uncertain>& bias2, double part) {
   const double fit = cpu_seconds_in(part * limits_.seconds) / (2 * seconds);
   const std::size_t wanted = std::max<std::size_t>(kFewestPixels, static_cast<std::size_t>(fit));
   const std::size_t step = std::max<std::size_t>(1, pixels_.size() / wanted);
@@ -228,38 +220,34 @@ Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& set
     picture = made(view, render, some);
   }
   const std::vector<double>&x = pictures[0].mean, &y = pictures[1].mean;
-  const std::vector<double> of_x = products(x, x, step), of_y = products(y, y, step);
-  std::vector<double> seen, differences;
-  for (std::size_t k = 0; k < some.size(); ++k) {
-    seen.push_back((of_x[k] + of_y[k]) / 2);
-    differences.push_back(weight_[k * step] * (x[k] - y[k]) * (x[k] - y[k]) / 2 + bias2);
-  }
-  const Uncertain against_golden = mean_of(seen), against_itself = mean_of(differences);
-  const Uncertain square =
-      against_golden.error < against_itself.error ? against_golden : against_itself;
-  const double error = std::sqrt(std::max(square.value, square.error));
-  const auto n = static_cast<double>(2 * some.size());
-  Checked checked{{error, error > 0 ? square.error / (2 * error) : 0},
-                  (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
-                  static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples()) / n,
-                  static_cast<double>(pictures[0].rays + pictures[1].rays) / n,
-                  some.size(),
-                  mean_of(products(x, y, step)),
-                  {}};
-  std::vector<double> squares;
-  double black_samples = 0;
+  const std::vector<double> biases = products(x, y, step);
+  std::vector<double> squares, noise;
+  double black_samples = 0, black_pixels = 0;
   for (std::size_t k = 0; k < some.size(); ++k) {
     const std::size_t i = k * step;
-    squares.push_back(weight_[i] / 2 *
-                      (pictures[0].variance[k] / pictures[0].samples[k] +
-                       pictures[1].variance[k] / pictures[1].samples[k]));
-    if (golden_[0][i] > 0 || golden_[1][i] > 0) continue;
-    checked.black_pixels += 2 / n;
+    const double half = goldens_.weight(i) * (x[k] - y[k]) * (x[k] - y[k]) / 2;
+    squares.push_back(half + (bias2 ? bias2->value : biases[k]));
+    noise.push_back(goldens_.weight(i) / 2 *
+                    (pictures[0].variance[k] / pictures[0].samples[k] +
+                     pictures[1].variance[k] / pictures[1].samples[k]));
+    if (goldens_.mean(i) > 0) continue;
+    ++black_pixels;
     black_samples += pictures[0].samples[k] + pictures[1].samples[k];
   }
-  checked.pixel_errors = pt::pixel_errors(std::move(squares));
-  checked.black_samples = black_samples / (n * checked.samples);
-  return checked;
+  Uncertain square = mean_of(squares);
+  if (bias2) square.error = std::hypot(square.error, bias2->error);
+  const auto n = static_cast<double>(2 * some.size());
+  const auto samples =
+      static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples());
+  return {pt::root_of(square),
+          (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
+          samples / n,
+          static_cast<double>(pictures[0].rays + pictures[1].rays) / n,
+          some.size(),
+          mean_of(biases),
+          pt::pixel_errors(std::move(noise)),
+          2 * black_pixels / n,
+          black_samples / samples};
 }
 
 Uncertain Study::times_as_long(const pt::Scene& other, const Way& way, int light_samples) {
@@ -288,8 +276,7 @@ std::vector<double> Study::products(const std::vector<double>& a, const std::vec
                                     std::size_t step) const {
   std::vector<double> all;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    const std::size_t i = k * step;
-    all.push_back(weight_[i] * (a[k] - golden_[0][i]) * (b[k] - golden_[1][i]));
+    all.push_back(goldens_.product(k * step, a[k], b[k]));
   }
   return all;
 }

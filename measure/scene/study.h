@@ -2,6 +2,7 @@
 
 #include "measure/scene/model.h"
 #include "measure/scene/pixels.h"
+#include "pt/image/accuracy.h"
 #include "pt/image/compare.h"
 
 #include <cstdint>
@@ -9,11 +10,11 @@
 #include <optional>
 #include <vector>
 
-// Measures what a way to follow light needs for an error. model.h defines the error, relMSE.
+// Measures what a way to follow light needs for an error. pt/image/accuracy.h defines the error.
 
 namespace measure::scene {
 
-inline constexpr double kSignificant = 4;  // standard errors
+using pt::kSignificant;
 // The root of a squared bias, if it is not only noise.
 std::optional<double> seen_bias(const Uncertain& bias2);
 // If the variance's own error is a larger part of it, a few samples make it.
@@ -32,7 +33,7 @@ pt::PathSettings path_of(const Way& way, int light_samples);
 
 // Some pixels of a picture, made with the chosen numbers.
 struct Checked {
-  Uncertain error;     // root of relMSE
+  Uncertain error;     // root of relMSE: noise and bias
   double seconds = 0;  // of processor time, per pixel
   double samples = 0;  // per pixel
   double rays = 0;     // per pixel
@@ -87,20 +88,20 @@ class Study {
   std::vector<PixelNoise> pixel_noise(const Way& way, int light_samples);
 
   // The picture with these settings, rendered twice, with as many pixels as there is time for; one
-  // takes about `seconds`. The error is measured in two ways, and the more certain one is used:
-  // against the long renders, and as half the squared difference of the two pictures plus `bias2`.
-  // It may take the given part of the time.
+  // takes about `seconds`. The square of its error is half the squared difference of the two, which is
+  // noise, and the square of the bias. That is `bias2` for a picture of independent samples, which
+  // has the bias of its way. Without it, the two pictures and the long renders show the bias: a pixel
+  // of adaptive sampling may stop too early. It may take the given part of the time.
   Checked check(const pt::PathSettings& path, const pt::RenderSettings& settings, double seconds,
-                double bias2, double part = 0.08);
+                const std::optional<Uncertain>& bias2, double part = 0.08);
 
   // The time of the same picture with the tracer of `other`, over the usual time. Both take turns.
   Uncertain times_as_long(const pt::Scene& other, const Way& way, int light_samples);
 
-  // 1 / (g + d)^2 of each pixel, the weights of relMSE.
-  const std::vector<double>& weights() const { return weight_; }
+  // The long renders of all pixels.
+  const pt::Goldens& goldens() const { return goldens_; }
 
-  // (a - g)(b - g') / (g + d)^2 of each `step`-th pixel, for two goldens g and g': its mean is
-  // relMSE if a and b are the same picture, and the square of the bias if they are independent.
+  // The square of the bias of two independent pictures of each `step`-th pixel, pixel by pixel.
   std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b,
                                std::size_t step) const;
 
@@ -133,8 +134,7 @@ class Study {
   double seconds_ = 0;   // the same renders by the clock
   double expected_ = 0;  // by the clock, for everything; 0: not known yet
   std::vector<PixelAt> pixels_;
-  std::vector<double> golden_[2];  // two independent means of each pixel, with all bounces
-  std::vector<double> weight_;     // 1 / (g + d)^2
+  pt::Goldens goldens_;  // two independent means of each pixel, with all bounces
   std::vector<Uncertain> bias2_;
 };
 

@@ -515,7 +515,7 @@ TEST(Study, noise_and_bias_of_a_picture_are_those_of_the_closed_form) {
                 kErrors * tried.bias2.error + kOfWeights * weight / 4);
     EXPECT_NEAR(tried.rays, 1 + tried.light_samples, 1e-9) << "camera, light, and no bounce";
   }
-  const Checked checked = study.check(path_of(way, 1), {4, {}, 0, 2}, 1e-5, weight / 4);
+  const Checked checked = study.check(path_of(way, 1), {4, {}, 0, 2}, 1e-5, Uncertain{weight / 4, 0});
   const double error = std::sqrt(weight * (1 / 4. + 1 / 12. / 4));
   EXPECT_NEAR(checked.error.value, error, kErrors * checked.error.error + kOfWeights * error);
   EXPECT_LT(checked.error.error, .05 * error);
@@ -546,7 +546,7 @@ TEST(Study, a_dimmed_scene_needs_the_same) {
     Study study(view_of(scene), 2, 6, {1, 64}, {});
     tried.push_back(study.try_out(way, {1})[0]);
     bias2.push_back(study.bias2_at(3));
-    error.push_back(study.check(path_of(way, 1), {4, {}, 0, 2}, 1e-5, bias2.back()).error.value);
+    error.push_back(study.check(path_of(way, 1), {4, {}, 0, 2}, 1e-5, {}).error.value);
   }
   EXPECT_NEAR(tried[1].variance.value / tried[0].variance.value, 1, 1e-9);
   EXPECT_NEAR(bias2[1] / bias2[0], 1, 1e-9);
