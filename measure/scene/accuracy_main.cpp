@@ -11,7 +11,6 @@ int main(int argc, char** argv) {
     if (!call.options.submission.empty() || !call.options.built.empty()) {
       throw pt::Error("a submission is measured in a box: start ./run, not this program");
     }
-    run_call(call);
-    return 0;
+    return run_call(call);
   });
 }

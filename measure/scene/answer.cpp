@@ -1,5 +1,6 @@
 #include "measure/scene/answer.h"
 
+#include "measure/charts/numbers.h"
 #include "measure/renders/rows.h"
 #include "measure/scene/adaptive.h"
 #include "pt/error.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace measure::scene {
 
@@ -28,9 +30,15 @@ constexpr double kFlat = 0.99985;     // cosine of 1 degree
 constexpr double kGain = 0.03;  // of the price: a promise of the model that is worth a render
 constexpr int kMaxFurther = 2;  // such renders per way
 
+// `bias2` is what the number of bounces leaves out. Hemisphere sampling also misses lights without a
+// surface, and code beside the reference may have any mistake: no number of samples helps.
 Option look_at(Study& study, const Way& way, const std::vector<int>& light_samples, double bias2,
                double error) {
-  return option_of(way, study.try_out(way, light_samples), bias2, error);
+  const std::vector<Tried> tried = study.try_out(way, light_samples);
+  const bool may_be_wrong = study.has_reference() || way.direct == Direct::hemisphere;
+  const Uncertain& seen = tried.back().bias2;
+  const bool is_wrong = may_be_wrong && seen.value > bias2 + kSignificant * seen.error;
+  return option_of(way, tried, is_wrong ? seen.value : bias2, error);
 }
 
 // The model may promise a cheaper number of light samples between those that were measured, or
@@ -72,14 +80,9 @@ int bounces_needed(const Study& study, double error) {
   return kAllBounces;
 }
 
-// It misses lights without a surface, which is a bias: no number of samples helps.
 Option look_at_hemisphere(Study& study, const Way& way, double bias2, double error) {
   Option option =
       look_at(study, {Direct::hemisphere, way.bounces, way.survival}, {1, 8}, bias2, error);
-  const Uncertain& seen = option.tried.back().bias2;
-  if (seen.value > bias2 + kSignificant * seen.error) {
-    option = option_of(option.way, option.tried, seen.value, error);
-  }
   return option.choice ? refined(study, option, error) : option;
 }
 
@@ -121,8 +124,7 @@ std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best,
   AdaptiveOption option{settings, check(), {}, {}};
   // What is left between the two errors: error^2 falls as 1 / time, about.
   const Uncertain& seen = option.checked.error;
-  const double times =
-      option.checked.seconds / choice.seconds * std::pow(seen.value / error, 2);
+  const double times = option.checked.seconds / choice.seconds * std::pow(seen.value / error, 2);
   const double of_error = seen.value > 0 ? 2 * seen.error / seen.value : 0;
   option.times = {times, times * std::hypot(of_error, relative_price_error(best))};
   std::vector<double> squares;
@@ -174,6 +176,22 @@ void choose_bounces(Study& study, Answer& answer, const std::vector<int>& pair) 
         look_at(study, {Direct::lights, m, way.survival}, pair, bias2, answer.error));
   }
   answer.best = cheapest_of(answer.bounces, answer.best);
+}
+
+// A sentence for each way whose bias beside the reference is more than its bounces leave out.
+std::vector<std::string> what_is_wrong(const Study& study, const Answer& answer) {
+  std::vector<std::string> sentences;
+  const auto add = [&](const char* name, const Option& option) {
+    const double bias2 = option.model.bias2;
+    if (!study.has_reference() || !(bias2 > study.bias2_at(option.way.bounces))) return;
+    sentences.push_back(fmt::format(
+        "{} is off by {} beside the reference, with any number of samples: ./run grade says what "
+        "is wrong",
+        name, percent(std::sqrt(bias2))));
+  };
+  add("light sampling", answer.survivals[0]);
+  add("hemisphere sampling", answer.hemisphere);
+  return sentences;
 }
 
 }  // namespace
@@ -241,20 +259,26 @@ Answer find_cheapest(Study& study, const pt::View& view, const Options& options)
   answer.survivals.push_back(answer.best);
   choose_survival(study, answer, bias2, pair);
   choose_bounces(study, answer, pair);
-  answer.hemisphere = look_at_hemisphere(study, answer.best.way, answer.best.model.bias2, error);
+  answer.hemisphere =
+      look_at_hemisphere(study, answer.best.way, study.bias2_at(answer.best.way.bounces), error);
   answer.unwritten = unwritten_tasks();
   if (is_unwritten(answer, "direct_hemisphere")) answer.hemisphere.choice.reset();
   answer.course = look_at_course(study, answer, pair, error);
   answer.best = cheapest_of({answer.hemisphere, answer.course}, answer.best);
+  answer.wrong = what_is_wrong(study, answer);
+  if (!answer.best.choice)
+    throw WrongBesideReference(fmt::format("{}", fmt::join(answer.wrong, "; ")));
   expect_reachable(cheapest_of(answer.best.tried), error,
                    static_cast<double>(view.width) * view.height);
   answer.course.choice = choice_with(*find_course(answer.course.tried, answer.delta_lights),
                                      answer.course.model.bias2, error);
 
   const Choice& choice = *answer.best.choice;
+  std::optional<Uncertain>
+      known;  // what the bounces leave out; other code may have a bias of its own
+  if (!study.has_reference()) known = Uncertain{answer.best.model.bias2, 0};
   answer.checked = study.check(path_of(answer.best.way, choice.light_samples),
-                               {choice.samples, {}, 0, 1}, choice.seconds,
-                               Uncertain{answer.best.model.bias2, 0});
+                               {choice.samples, {}, 0, 1}, choice.seconds, known);
   answer.adaptive = look_at_adaptive(study, answer.best, error);
   answer.unwritten = unwritten_tasks();
   if (is_unwritten(answer, "adaptive_pixel")) answer.adaptive.reset();

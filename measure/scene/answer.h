@@ -2,6 +2,7 @@
 
 #include "measure/scene/options.h"
 #include "measure/scene/study.h"
+#include "pt/error.h"
 
 #include <optional>
 #include <string>
@@ -51,12 +52,18 @@ struct Answer {
   std::optional<AdaptiveOption> adaptive;
   std::optional<Uncertain> without_tree;  // time over the usual; empty: too many surfaces
   std::vector<std::string> unwritten;     // unwritten tasks that some results need
+  std::vector<std::string> wrong;         // what more samples would not mend, beside the reference
   double smooth = 0;                      // the part of the pixels that smooth normals change
   double cpu_seconds = 0;                 // processor time of the study
   bool delta_lights = false;              // all lights are points or directions
 };
 
 bool is_unwritten(const Answer& answer, const std::string& task);
+
+// No way reaches the error, because the code is wrong beside the reference.
+struct WrongBesideReference : pt::Error {
+  using pt::Error::Error;
+};
 
 // Throws pt::Error if the error cannot be reached.
 Answer find_cheapest(Study& study, const pt::View& view, const Options& options);

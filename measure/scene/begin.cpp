@@ -5,10 +5,14 @@
 #include "measure/scene/answer.h"
 #include "measure/scene/converge.h"
 #include "measure/scene/print.h"
+#include "measure/scene/rung.h"
+#include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/render/darkness.h"
+#include "pt/render/options.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,9 +34,37 @@ std::vector<std::string> unwritten_and_needed(pt::Engine engine) {
   return tasks;
 }
 
+// Right pictures by the reference, in a program of its own.
+Reference reference_beside(const std::string& program, const Options& options) {
+  if (!options.reference) return {};
+  std::vector<std::string> words{program,
+                                 options.scene.string(),
+                                 "-r",
+                                 std::to_string(options.width),
+                                 std::to_string(options.height),
+                                 "--pixels",
+                                 std::to_string(options.pixels),
+                                 "--seed",
+                                 std::to_string(options.seed),
+                                 "--camera"};
+  words.push_back(std::ranges::find(pt::kFramingWords, options.framing, [](const auto& each) {
+                    return each.second;
+                  })->first);
+  if (options.lambertian) words.emplace_back("--lambertian");
+  const auto rung = std::make_shared<RungProgram>(words, "reference", pt::Engine::wide);
+  return [rung](const pt::PathSettings& path, int samples, std::uint64_t seed) {
+    RungRequest request;
+    request.spec.path = path;
+    request.spec.samples = samples;
+    request.spec.seed = seed;
+    return rung->render(request).mean;
+  };
+}
+
 }  // namespace
 
-Measuring::Measuring(pt::LoadedScene scene, const Options& options, int bounces, double share)
+Measuring::Measuring(pt::LoadedScene scene, const Options& options, int bounces, double share,
+                     const std::string& program)
     : loaded(std::move(scene)),
       view{loaded.scene,
            frame_camera(loaded, options.framing, options.width, options.height),
@@ -47,7 +79,8 @@ Measuring::Measuring(pt::LoadedScene scene, const Options& options, int bounces,
           bounces,
           [this, share](double seconds) {
             if (share == 1) clock.expect(seconds);
-          }) {
+          },
+          reference_beside(program, options)) {
   if (share < 1) clock.clear();
   const std::vector<std::string> unwritten = unwritten_and_needed(options.engine);
   print_notes(loaded);
@@ -69,6 +102,7 @@ constexpr double kSurelyReached = 1e-3;  // an error that needs no look before
 void look_whether_reachable(const Options& options) {
   if (options.error >= kSurelyReached) return;
   Options quick = options;
+  quick.reference = false;  // only the noise is looked at
   quick.seconds = std::min(options.seconds, 1.0);
   quick.pixels = std::min(options.pixels, 300);
   quick.out.clear();
@@ -79,20 +113,22 @@ void look_whether_reachable(const Options& options) {
   expect_reachable(tried, options.error, static_cast<double>(options.width) * options.height);
 }
 
-void run_cheapest(const Options& options) {
+void run_cheapest(const Call& call) {
+  const Options& options = call.options;
   look_whether_reachable(options);
-  Measuring scene(load_scene(options), options, kAllBounces);
+  Measuring scene(load_scene(options), options, kAllBounces, 1, call.program);
   const Answer answer = find_cheapest(scene.study, scene.view, options);
   scene.clock.clear();
   fmt::print("{}", to_text(answer, options, scene.loaded.scene));
   if (!options.out.empty()) write_charts(answer, options, scene.loaded.scene);
 }
 
-void run_converge(const Options& options) {
+void run_converge(const Call& call) {
+  const Options& options = call.options;
   pt::LoadedScene loaded = load_scene(options);
   const std::vector<Method> methods = methods_in(loaded.scene, options.bounces, options.engine);
   expect_method(methods, options.beside);
-  Measuring scene(std::move(loaded), options, options.bounces);
+  Measuring scene(std::move(loaded), options, options.bounces, 1, call.program);
   const std::vector<MethodCurve> curves = find_curves(scene.study, scene.view, methods);
   scene.clock.clear();
   fmt::print("{}", to_text(curves, options));
@@ -101,8 +137,14 @@ void run_converge(const Options& options) {
 
 }  // namespace
 
-void run_call(const Call& call) {
-  call.command == Command::cheapest ? run_cheapest(call.options) : run_converge(call.options);
+int run_call(const Call& call) {
+  try {
+    call.command == Command::cheapest ? run_cheapest(call) : run_converge(call);
+  } catch (const WrongBesideReference& error) {
+    fmt::print(stderr, "WRONG: {}\n", pt::sentence_of(error));
+    return 1;
+  }
+  return 0;
 }
 
 }  // namespace measure::scene

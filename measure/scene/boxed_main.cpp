@@ -52,8 +52,7 @@ int main(int argc, char** argv) {
                                        : measure::read_boxed(options.built),
                  options.engine);
       options.threads = 1;  // there is one worker
-      run_call(call);
-      return 0;
+      return run_call(call);
     } catch (const measure::SubmissionFailed& error) {
       return is_not_measured(error);
     } catch (const NotApart& error) {

@@ -35,7 +35,11 @@ std::string row(const MethodCurve& curve, const MethodCurve& beside) {
   for (const Checked& point : curve.points) {
     text += fmt::format("{:>9}", percent(point.error.value));
   }
-  if (curve.fails) return text + "  fails: it never finds all the light\n";
+  if (curve.fails) {
+    const double off =
+        seen_bias(curve.points.back().bias2).value_or(curve.points.back().error.value);
+    return text + fmt::format("  fails: off by {} with any number of samples\n", percent(off));
+  }
   const Factors against = factors(curve, beside);
   const auto with_error = [](const Uncertain& factor) {
     return fmt::format("{:.3g} \u00b1 {:.2g}", factor.value, factor.error);

@@ -96,6 +96,7 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
          "Somebody else's code, in the box: a folder, an archive, or a clone of CS184's skeleton")
       ->check(CLI::ExistingPath);
   app.add_option("--built", options.built)->group("");
+  app.add_flag("--reference", options.reference)->group("");
   app.add_option("--seed", options.seed, "Of the random numbers")->capture_default_str();
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
       ->check(CLI::Range(1, 1024));
@@ -162,8 +163,10 @@ Options parse_converge(int argc, const char* const* argv) {
 
 Call parse_call(int argc, const char* const* argv) {
   const std::string command = argc > 1 ? argv[1] : "";
-  if (command == "cheapest") return {Command::cheapest, parse_cheapest(argc - 1, argv + 1)};
-  if (command == "converge") return {Command::converge, parse_converge(argc - 1, argv + 1)};
+  if (command == "cheapest")
+    return {Command::cheapest, parse_cheapest(argc - 1, argv + 1), argv[0]};
+  if (command == "converge")
+    return {Command::converge, parse_converge(argc - 1, argv + 1), argv[0]};
   throw pt::Error("there is no command '" + command + "': write cheapest or converge");
 }
 

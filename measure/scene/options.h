@@ -30,7 +30,9 @@ struct Options {
   std::string beside;         // for converge: the method to compare with; empty: the fastest
   std::string submission;     // somebody else's code, in the box; empty: what is linked here
   std::string built;          // the same, already built: the file with the details
-  int pixels = 10000;         // the approximate number of pixels to measure
+  bool reference =
+      false;  // errors are measured against the reference, whose program is beside this one
+  int pixels = 10000;                          // the approximate number of pixels to measure
   std::vector<int> light_samples{1, 2, 4, 8};  // for cheapest: tried for the lines; rising
 };
 
@@ -39,6 +41,7 @@ enum class Command { cheapest, converge };
 struct Call {
   Command command = Command::cheapest;
   Options options;
+  std::string program;  // this one
 };
 
 // Reads the command line, whose first word is the command. Prints help and exits for --help; throws

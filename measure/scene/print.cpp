@@ -69,6 +69,13 @@ std::string settings_text(const Answer& answer, const Options& options) {
   return text;
 }
 
+// Above everything that only says how the same picture would be cheaper.
+std::string wrong_text(const Answer& answer) {
+  std::string text;
+  for (const std::string& sentence : answer.wrong) text += "WRONG: " + sentence + ".\n";
+  return text;
+}
+
 std::string light_samples_text(const Answer& answer) {
   if (answer.delta_lights) {
     return "Light samples: all lights are points or directions: one sample is enough.\n";
@@ -166,7 +173,7 @@ std::string adaptive_text(const Answer& answer) {
 // A sentence if the number of bounces is why the course's settings take so long.
 std::string left_out(const Answer& answer) {
   const double bias2 = answer.course.model.bias2;
-  if (bias2 < answer.error * answer.error / 4) return "";
+  if (bias2 < answer.error * answer.error / 4 || !answer.wrong.empty()) return "";
   return fmt::format(", as 5 bounces leave out {}", percent(std::sqrt(bias2)));
 }
 
@@ -190,9 +197,9 @@ std::string rest_text(const Answer& answer, const pt::Scene& scene) {
 }  // namespace
 
 std::string to_text(const Answer& answer, const Options& options, const pt::Scene& scene) {
-  return fmt::format("The cheapest settings for an error of {}, {} x {} pixels:\n{}\n{}{}{}{}{}",
+  return fmt::format("The cheapest settings for an error of {}, {} x {} pixels:\n{}\n{}{}{}{}{}{}",
                      percent(answer.error), options.width, options.height,
-                     settings_text(answer, options), light_samples_text(answer),
+                     settings_text(answer, options), wrong_text(answer), light_samples_text(answer),
                      bounces_text(answer), roulette_text(answer), adaptive_text(answer),
                      rest_text(answer, scene));
 }

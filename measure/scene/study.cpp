@@ -86,17 +86,19 @@ pt::PathSettings path_of(const Way& way, int light_samples) {
 
 Study::Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
              std::function<void(double)> progress, int bounces,
-             const std::function<void(double)>& announce)
+             const std::function<void(double)>& announce, const Reference& reference)
     : view_(view),
       threads_(threads),
       seed_(seed),
       limits_(limits),
       progress_(std::move(progress)),
-      pixels_(spread_pixels(view.width, view.height, limits.pixels, seed)) {
-  look_at_bounces(bounces, announce);
+      pixels_(spread_pixels(view.width, view.height, limits.pixels, seed)),
+      has_reference_(reference != nullptr) {
+  look_at_bounces(bounces, announce, reference);
 }
 
-void Study::look_at_bounces(int bounces, const std::function<void(double)>& announce) {
+void Study::look_at_bounces(int bounces, const std::function<void(double)>& announce,
+                            const Reference& reference) {
   const pt::View view = view_of({pt::PathSettings::Direct::lights, kAllBounces}, 1);
   const std::vector<pt::BounceRange> ranges = one_by_one();
   const int samples =
@@ -122,7 +124,11 @@ void Study::look_at_bounces(int bounces, const std::function<void(double)>& anno
   for (int half = 0; half < 2; ++half) {
     rest[half] = missing(made_apart(view, next_render(samples / 2), ranges, pixels_));
     golden[half] = rest[half][0];
-    if (bounces > kToldApart) continue;
+    if (reference) {
+      const Way way{pt::PathSettings::Direct::lights, bounces};
+      golden[half] = reference(path_of(way, 1), samples / 2, next_render(1).seed);
+    }
+    if (reference || bounces > kToldApart) continue;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       golden[half][i] -= rest[half][bounces + 1][i];
     }
@@ -168,9 +174,7 @@ double Study::cpu_seconds_in(double seconds) const {
   return seconds * (seconds_ > 0 ? std::min(idle, cpu_seconds_ / seconds_) : idle);
 }
 
-bool Study::is_black() const {
-  return !(goldens_.dark() > 0);
-}
+bool Study::is_black() const { return !(goldens_.dark() > 0); }
 
 std::vector<Tried> Study::try_out(const Way& way, const std::vector<int>& light_samples) {
   std::vector<int> samples;
@@ -237,8 +241,7 @@ Checked Study::check(const pt::PathSettings& path, const pt::RenderSettings& set
   Uncertain square = mean_of(squares);
   if (bias2) square.error = std::hypot(square.error, bias2->error);
   const auto n = static_cast<double>(2 * some.size());
-  const auto samples =
-      static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples());
+  const auto samples = static_cast<double>(pictures[0].all_samples() + pictures[1].all_samples());
   return {pt::root_of(square),
           (pictures[0].cpu_seconds + pictures[1].cpu_seconds) / n,
           samples / n,

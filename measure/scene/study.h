@@ -56,18 +56,27 @@ struct StudyLimits {
   int pixels = 10000;   // the approximate number of pixels to measure
 };
 
+// A right picture of all pixels of a study, in luminance, with these settings.
+using Reference = std::function<std::vector<double>(const pt::PathSettings& path, int samples,
+                                                    std::uint64_t seed)>;
+
 // A view to find settings for. All renders have the same pixels, each with its own random numbers.
 class Study {
  public:
   // `progress` is called with the part of the time that has been used, and `announce`, soon after the
   // beginning, with the seconds that all will take by what the first samples took. `bounces` is for
-  // the picture that errors are measured against: at most kToldApart, or kAllBounces.
+  // the picture that errors are measured against: at most kToldApart, or kAllBounces. Without a
+  // `reference` it is made by the measured code, whose mistakes are in it: then errors are noise, and what
+  // few bounces leave out.
   Study(const pt::View& view, int threads, std::uint64_t seed, const StudyLimits& limits,
         std::function<void(double)> progress, int bounces = kAllBounces,
-        const std::function<void(double)>& announce = {});
+        const std::function<void(double)>& announce = {}, const Reference& reference = {});
 
   // The time of all renders so far.
   double cpu_seconds() const { return cpu_seconds_; }
+
+  // Returns whether errors are measured against the pictures of other code.
+  bool has_reference() const { return has_reference_; }
 
   // Returns whether no light at all reaches the camera.
   bool is_black() const;
@@ -106,7 +115,8 @@ class Study {
                                std::size_t step) const;
 
  private:
-  void look_at_bounces(int bounces, const std::function<void(double)>& announce);
+  void look_at_bounces(int bounces, const std::function<void(double)>& announce,
+                       const Reference& reference);
   // The processor seconds that all threads together get in these seconds by the clock.
   double cpu_seconds_in(double seconds) const;
   std::vector<PixelAt> every(std::size_t step) const;  // each `step`-th pixel; 0 means 1
@@ -134,6 +144,7 @@ class Study {
   double seconds_ = 0;   // the same renders by the clock
   double expected_ = 0;  // by the clock, for everything; 0: not known yet
   std::vector<PixelAt> pixels_;
+  bool has_reference_;
   pt::Goldens goldens_;  // two independent means of each pixel, with all bounces
   std::vector<Uncertain> bias2_;
 };

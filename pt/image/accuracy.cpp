@@ -18,7 +18,8 @@ std::vector<double> luminances(const Film& film) {
 
 Goldens::Goldens(std::vector<double> a, std::vector<double> b)
     : a_(std::move(a)), b_(std::move(b)) {
-  const double sum = std::accumulate(b_.begin(), b_.end(), std::accumulate(a_.begin(), a_.end(), 0.0));
+  const double sum =
+      std::accumulate(b_.begin(), b_.end(), std::accumulate(a_.begin(), a_.end(), 0.0));
   dark_ = dark_of(sum / static_cast<double>(2 * std::max<std::size_t>(size(), 1)));
 }
 

@@ -1,5 +1,6 @@
 // The error of a picture beside two goldens: noise that is drawn, around a right picture that is known.
 #include "pt/image/accuracy.h"
+
 #include "pt/image/compare.h"
 
 #include <cmath>
@@ -82,14 +83,14 @@ TEST(Accuracy, tells_a_bias_from_noise) {
   Renders renders;
   const Goldens goldens(renders.render(.02), renders.render(.02));
   for (const double noise : {.01, .2, 1.}) {
-    const Accuracy got =
-        accuracy_of(renders.render(noise, .8), renders.variances(noise), goldens);
+    const Accuracy got = accuracy_of(renders.render(noise, .8), renders.variances(noise), goldens);
     EXPECT_NEAR(got.bias.value, -.2, 5 * got.bias.error) << noise;
     EXPECT_LT(got.bias.error, .04) << noise;
     EXPECT_NEAR(got.bias2.value, renders.square_of(.2), 5 * got.bias2.error) << noise;
     EXPECT_NEAR(got.noise->value, noise * std::sqrt(renders.square_of(1)), .02 * noise);
     EXPECT_NEAR(got.error.value, std::sqrt(renders.square_of(std::hypot(.2, noise))),
-                5 * got.error.error) << noise;
+                5 * got.error.error)
+        << noise;
     EXPECT_TRUE(got.is_wrong()) << noise;
   }
 }
@@ -106,8 +107,8 @@ TEST(Accuracy, of_a_dimmed_picture_is_the_same_and_of_a_black_one_is_none) {
   EXPECT_NEAR(dim.bias.value, bright.bias.value, 1e-12);
   EXPECT_FALSE(bright.noise);
   const double dark = .04 * 6.5 / 6;
-  const double square = (1 * .5 / std::pow(1.25 + dark, 2) + 1 / std::pow(2 + dark, 2) +
-                         .25 / (dark * dark)) / 3;
+  const double square =
+      (1 * .5 / std::pow(1.25 + dark, 2) + 1 / std::pow(2 + dark, 2) + .25 / (dark * dark)) / 3;
   EXPECT_NEAR(bright.error.value, std::sqrt(square), 1e-12);
   const std::vector<double> black(3);
   EXPECT_EQ(accuracy_of(black, black, {black, black}).error.value, 0);
