@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +26,9 @@ struct SceneSource {
 // The colouring of a render's numbers.
 enum class Look { radiance, rates, boxes, predicted };
 
+// In place of a mistake: rendered by the reference, whoever is written about.
+inline constexpr const char* kReference = "reference";
+
 struct Picture {
   std::string id, label;
   std::string scene;   // name in the catalogue
@@ -34,7 +36,8 @@ struct Picture {
   Look look = Look::radiance;
   bool in_bounces = false;  // from one render of all bounces, which other pictures share
   double exposure = 1;
-  std::string mistake;  // rendered by the reference with this wrong solution in it; or "reference"
+  std::string mistake;  // rendered by the reference with this wrong solution in it; or kReference
+  bool golden = false;  // errors are measured against it, also in a draft
   std::string time_of;  // take as many samples as fit into this picture's time
 };
 
@@ -53,7 +56,7 @@ struct Figure {
   bool flip = false;    // the pictures can be laid over each other
   bool small = false;   // few pixels, shown as squares
   std::vector<Picture> pictures;
-  std::optional<Picture> golden;    // errors are measured against it
+  std::vector<Picture> goldens;  // none, or two that errors are measured against; by the reference
   std::vector<std::string> scenes;  // of a table
   double seconds = 0;               // wall time that a measurement may take
   double error = 0;                 // the wanted error

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace writeup {
 
@@ -29,16 +30,6 @@ double variance(const pt::FilmPixel& pixel) {
   return pixel.variance_y / std::max(pixel.samples, 1);
 }
 
-// The divisors of the errors of pixels, where this is the picture without noise.
-std::vector<double> scales(const Rendered& golden) {
-  const double dark = pt::dark_of(mean_luminance(golden.film));
-  std::vector<double> all;
-  for (const pt::FilmPixel& pixel : golden.film.pixels) {
-    all.push_back(pt::luminance(pixel.mean) + dark);
-  }
-  return all;
-}
-
 }  // namespace
 
 Composed compose(const Store& store, const std::vector<Unit>& units) {
@@ -50,56 +41,46 @@ Composed compose(const Store& store, const std::vector<Unit>& units) {
   return result;
 }
 
-double noise(const Rendered& picture) {
-  const std::vector<double> scale = scales(picture);
-  double sum = 0;
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    sum += variance(picture.film.pixels[i]) / (scale[i] * scale[i]);
+std::optional<pt::Goldens> goldens_of(const Plan& plan, const Figure& figure) {
+  std::vector<std::vector<double>> both;
+  for (const Picture& golden : figure.goldens) {
+    if (!plan.unavailable(golden).empty()) return {};
+    const Composed composed = compose(plan.store(), plan.units(figure, golden));
+    if (!composed.complete || !composed.sum.missing.empty()) return {};
+    both.push_back(pt::luminances(composed.sum.film));
   }
-  return std::sqrt(sum / static_cast<double>(scale.size()));
+  if (both.size() != 2) return {};
+  return pt::Goldens(std::move(both[0]), std::move(both[1]));
 }
 
-double error(const Rendered& picture, const Rendered& golden) {
-  const std::vector<double> scale = scales(golden);
-  double sum = 0;
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    const pt::FilmPixel& right = golden.film.pixels[i];
-    const double off = pt::luminance(picture.film.pixels[i].mean) - pt::luminance(right.mean);
-    sum += (off * off - variance(right)) / (scale[i] * scale[i]);
+pt::Accuracy accuracy(const Rendered& picture, const pt::Goldens& goldens) {
+  std::vector<double> variances;
+  // A single sample has no variance.
+  const auto is_known = [](const pt::FilmPixel& pixel) { return pixel.samples > 1; };
+  if (picture.has_variance && std::ranges::all_of(picture.film.pixels, is_known)) {
+    for (const pt::FilmPixel& pixel : picture.film.pixels) variances.push_back(variance(pixel));
   }
-  return std::sqrt(std::max(0.0, sum) / static_cast<double>(scale.size()));
+  return pt::accuracy_of(pt::luminances(picture.film), variances, goldens);
 }
 
-double bias(const Rendered& picture, const Rendered& golden) {
-  const std::vector<double> scale = scales(golden);
-  double sum = 0;
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    sum +=
-        (pt::luminance(picture.film.pixels[i].mean) - pt::luminance(golden.film.pixels[i].mean)) /
-        scale[i];
-  }
-  return sum / static_cast<double>(scale.size());
-}
-
-pt::PixelErrors pixel_noise(const Rendered& picture, const Rendered& golden) {
-  const std::vector<double> scale = scales(golden);
+pt::PixelErrors pixel_noise(const Rendered& picture, const pt::Goldens& goldens) {
   std::vector<double> squares;
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    squares.push_back(variance(picture.film.pixels[i]) / (scale[i] * scale[i]));
+  for (std::size_t i = 0; i < goldens.size(); ++i) {
+    squares.push_back(goldens.weight(i) * variance(picture.film.pixels[i]));
   }
   return pt::pixel_errors(std::move(squares));
 }
 
-Black on_black(const Rendered& picture, const Rendered& golden) {
+Black on_black(const Rendered& picture, const pt::Goldens& goldens) {
   double pixels = 0, samples = 0, all = 0;
-  for (std::size_t i = 0; i < golden.film.pixels.size(); ++i) {
+  for (std::size_t i = 0; i < goldens.size(); ++i) {
     const int count = picture.film.pixels[i].samples;
     all += count;
-    if (pt::luminance(golden.film.pixels[i].mean) > 0) continue;
+    if (goldens.mean(i) > 0) continue;
     ++pixels;
     samples += count;
   }
-  return {pixels / static_cast<double>(golden.film.pixels.size()), samples / all};
+  return {pixels / static_cast<double>(goldens.size()), samples / all};
 }
 
 double mean_on_lamps(const pt::Film& film, const pt::Film& lamps) {

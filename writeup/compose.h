@@ -1,7 +1,10 @@
 #pragma once
 
+#include "pt/image/accuracy.h"
 #include "pt/image/compare.h"
 #include "writeup/plan.h"
+
+#include <optional>
 
 namespace writeup {
 
@@ -14,20 +17,19 @@ struct Composed {
 
 Composed compose(const Store& store, const std::vector<Unit>& units);
 
-// The distance of a picture from a picture of many more samples, relative to its brightness: the
-// root of relMSE over the luminances.
-double noise(const Rendered& picture);                          // from its own variance
-double error(const Rendered& picture, const Rendered& golden);  // without the golden's noise
+// The figure's goldens; nothing if it has none, or if they are not made.
+std::optional<pt::Goldens> goldens_of(const Plan& plan, const Figure& figure);
 
-// The mean signed distance, in which noise vanishes: what a picture is too bright.
-double bias(const Rendered& picture, const Rendered& golden);
+// The accuracy of a picture of as many pixels.
+pt::Accuracy accuracy(const Rendered& picture, const pt::Goldens& goldens);
+
 // The noise of single pixels, from the picture's own variances.
-pt::PixelErrors pixel_noise(const Rendered& picture, const Rendered& golden);
-// The pixels in which the golden sees no light, and the samples that they took: parts of all.
+pt::PixelErrors pixel_noise(const Rendered& picture, const pt::Goldens& goldens);
+// The pixels in which the goldens see no light, and the samples that they took: parts of all.
 struct Black {
   double pixels = 0, samples = 0;
 };
-Black on_black(const Rendered& picture, const Rendered& golden);
+Black on_black(const Rendered& picture, const pt::Goldens& goldens);
 
 double mean_luminance(const pt::Film& film);
 // The same over the pixels that see nothing but a lamp.

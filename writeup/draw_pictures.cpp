@@ -39,16 +39,38 @@ std::string settings_text(const measure::Spec& spec, int from, int to) {
   return text;
 }
 
+// "7.45 ± 0.27 %".
+std::string error_text(const pt::Uncertain& error) {
+  const double digits = std::ceil(1 - std::log10(100 * error.error));  // two of the standard error
+  const int places = static_cast<int>(std::clamp(digits, 0.0, 3.0));
+  return fmt::format("{:.{}f} \u00b1 {:.{}f} %", 100 * error.value, places, 100 * error.error,
+                     places);
+}
+
+// "3.3 % too dark"; empty if that may be noise.
+std::string bias_text(const pt::Uncertain& bias) {
+  if (!(std::abs(bias.value) > pt::kSignificant * bias.error)) return "";
+  return fmt::format("{} % too {}", short_number(100 * std::abs(bias.value)),
+                     bias.value < 0 ? "dark" : "bright");
+}
+
+// "error 7.45 ± 0.27 %", or "error 51.2 ± 0.3 %: 9.5 % noise, and 50 % too dark". Pixels that stop when they look good have
+// variances that are too small, so the noise of an adaptive picture is not told.
+std::string accuracy_text(const pt::Accuracy& accuracy, bool adaptive) {
+  const std::string text = "error " + error_text(accuracy.error), bias = bias_text(accuracy.bias);
+  if (adaptive) return text + (bias.empty() ? "" : ", " + bias);
+  if (!accuracy.is_wrong()) return text;
+  const std::string off = fmt::format("{} % wrong in some places",
+                                      short_number(100 * pt::root_of(accuracy.bias2).value));
+  return fmt::format("{}: {} % noise, and {}", text, short_number(100 * accuracy.noise->value),
+                     bias.empty() ? off : bias);
+}
+
 // Draws the pictures of one figure, one after the other.
 class Artist {
  public:
   Artist(const Plan& plan, const Figure& figure, const fs::path& folder)
-      : plan_(plan), figure_(figure), folder_(folder) {
-    if (figure.golden) {
-      golden_units_ = plan.units(figure, *figure.golden);
-      golden_ = compose(plan.store(), golden_units_);
-    }
-  }
+      : plan_(plan), figure_(figure), folder_(folder), goldens_(goldens_of(plan, figure)) {}
 
   Drawn draw() {
     std::vector<Composed> composed;
@@ -182,29 +204,33 @@ class Artist {
     } else if (lamps_ && lamps_->sum.film.pixels.size() == composed.sum.film.pixels.size()) {
       enter("lamp", fmt::format("{:.4f}", mean_on_lamps(composed.sum.film, lamps_->sum.film)));
     }
-    if (has_error(picture, composed)) {
-      const Unit first = units(picture)[0];
-      const bool itself = first.range == golden_units_[0].range &&
-                          plan_.store().key(first) == plan_.store().key(golden_units_[0]);
-      const double off = itself ? noise(golden_->sum) : error(composed.sum, golden_->sum);
-      enter("error", short_number(100 * off));
-      enter_pixels(picture, composed);
-      errors_.push_back({label(picture), composed.sum.seconds, off});
-    }
+    const bool as_many = goldens_ && goldens_->size() == composed.sum.film.pixels.size();
+    if (as_many && picture.look == Look::radiance) enter_accuracy(picture, composed, shown);
   }
 
-  // Enters the parts of the error, and the noise of single pixels.
-  void enter_pixels(const Picture& picture, const Composed& composed) {
+  // Enters the error and its parts, and the noise of single pixels.
+  void enter_accuracy(const Picture& picture, const Composed& composed, Shown& shown) {
     const auto enter = [&](const char* name, double part) {
       drawn_.numbers[picture.id + "." + name] = short_number(100 * part);
     };
-    const double off = bias(composed.sum, golden_->sum);
-    drawn_.numbers[picture.id + ".bias"] = fmt::format("{:.2g}", 100 * off);
-    const Black black = on_black(composed.sum, golden_->sum);
+    const pt::Accuracy accuracy = writeup::accuracy(composed.sum, *goldens_);
+    shown.facts += "; " + accuracy_text(accuracy, picture.spec.adaptive.has_value());
+    enter("error", accuracy.error.value);
+    enter("error_pm", accuracy.error.error);
+    drawn_.numbers[picture.id + ".bias"] = fmt::format("{:.2g}", 100 * accuracy.bias.value);
+    enter("bias_pm", accuracy.bias.error);
+    // A smaller tolerance makes the bias of adaptive sampling smaller.
+    errors_.push_back({label(picture), composed.sum.seconds, accuracy.error,
+                       accuracy.is_wrong() && !picture.spec.adaptive});
+    const Black black = on_black(composed.sum, *goldens_);
     enter("black_pixels", black.pixels);
     enter("black_samples", black.samples);
-    if (!composed.sum.has_variance) return;
-    const pt::PixelErrors pixels = pixel_noise(composed.sum, golden_->sum);
+    if (!accuracy.noise) return;
+    if (!picture.spec.adaptive) {
+      enter("noise", accuracy.noise->value);
+      drawn_.numbers[picture.id + ".wrong"] = accuracy.is_wrong() ? "1" : "0";
+    }
+    const pt::PixelErrors pixels = pixel_noise(composed.sum, *goldens_);
     enter("pixel_median", pixels.median);
     enter("pixel_most", pixels.most);
     enter("pixel_largest", pixels.largest);
@@ -227,12 +253,6 @@ class Artist {
     if (first > 0) drawn_.numbers[picture.id + ".ratio"] = fmt::format("{:.2f}", now / first);
   }
 
-  bool has_error(const Picture& picture, const Composed& composed) const {
-    return golden_ && golden_->complete && golden_->sum.missing.empty() &&
-           picture.look == Look::radiance &&
-           golden_->sum.film.pixels.size() == composed.sum.film.pixels.size();
-  }
-
   void draw_file(const Picture& picture, const Composed& composed, Shown& shown) {
     const Rendered& sum = composed.sum;
     if (shown.note.starts_with(kNotMeasured)) return;
@@ -250,39 +270,48 @@ class Artist {
     write_map(folder_ / shown.file, values(picture, sum), shown.width, low_, high_);
   }
 
-  // Time times variance is what a method costs for a given accuracy.
+  // Time times the square of the error is what a method costs for a given accuracy. A picture that is wrong has
+  // no such cost: more time does not help.
   void add_table() {
     if (errors_.empty()) return;
-    drawn_.columns = {"", "seconds", "error", "time for the error of the best"};
-    const auto cost = [](const PictureCost& each) {
-      return each.seconds * each.error * each.error;
-    };
-    double best = INFINITY;
-    for (const PictureCost& each : errors_) best = std::min(best, cost(each));
+    drawn_.columns = {"", "seconds", "error", "time for the same error"};
+    const PictureCost* best = nullptr;
     for (const PictureCost& each : errors_) {
-      const double factor = cost(each) / best;
-      drawn_.rows.push_back({each.label, short_number(each.seconds),
-                             short_number(100 * each.error) + " %",
-                             factor == 1 ? "1" : short_number(factor) + " times"});
+      if (!each.wrong && (best == nullptr || each.cost() < best->cost())) best = &each;
     }
-    for (const Shown& shown : drawn_.pictures) {
-      for (const PictureCost& each : errors_) {
-        if (each.label != shown.label) continue;
-        drawn_.numbers[shown.id + ".factor"] = short_number(cost(each) / best);
+    for (const PictureCost& each : errors_) {
+      const std::string error = error_text(each.error);
+      if (each.wrong || best == nullptr) {
+        drawn_.rows.push_back({each.label, short_number(each.seconds), error, "never"});
+        continue;
+      }
+      const double factor = each.cost() / best->cost();
+      const double of_it = &each == best ? 0 : std::hypot(each.part(), best->part());
+      drawn_.rows.push_back(
+          {each.label, short_number(each.seconds), error, factor_text(factor, factor * of_it)});
+      for (const Shown& shown : drawn_.pictures) {
+        if (shown.label != each.label) continue;
+        drawn_.numbers[shown.id + ".factor"] = short_number(factor);
+        drawn_.numbers[shown.id + ".factor_pm"] = short_number(factor * of_it);
       }
     }
   }
 
   struct PictureCost {
     std::string label;
-    double seconds, error;
+    double seconds;
+    pt::Uncertain error;
+    bool wrong;
+
+    double cost() const { return seconds * error.value * error.value; }
+    // The standard error of the cost, as a part of it.
+    double part() const { return 2 * error.error / error.value; }
   };
 
   const Plan& plan_;
   const Figure& figure_;
   const fs::path& folder_;
-  std::vector<Unit> golden_units_;
-  std::optional<Composed> golden_;
+  std::optional<pt::Goldens> goldens_;
   std::optional<Composed> lamps_;  // the figure's picture without a bounce
   float low_ = 0, high_ = 0;
   std::vector<float> first_rates_;

@@ -158,17 +158,15 @@ Drawn draw_rules(const Plan& plan, const Figure& figure, const std::filesystem::
   Drawn drawn;
   const Picture& picture = figure.pictures.at(0);
   const Rendered uniform = plan.store().load(plan.uniform(picture));
-  const Composed golden = compose(plan.store(), plan.units(figure, *figure.golden));
+  const std::optional<pt::Goldens> goldens = goldens_of(plan, figure);
   const pt::AdaptiveSettings settings = plan.adaptive(picture);
-  if (!uniform.has_variance || !golden.complete || !golden.sum.missing.empty()) {
-    drawn.problems.emplace_back("the uniform picture or its golden is not there");
+  if (!uniform.has_variance || !goldens) {
+    drawn.problems.emplace_back("the uniform picture or its goldens are not there");
     return drawn;
   }
-  const double dark = pt::dark_of(mean_luminance(golden.sum.film));
   std::vector<Pixel> pixels;
   for (std::size_t i = 0; i < uniform.film.pixels.size(); ++i) {
-    const double mean = pt::luminance(golden.sum.film.pixels[i].mean);
-    pixels.push_back({uniform.film.pixels[i].variance_y, mean, mean + dark});
+    pixels.push_back({uniform.film.pixels[i].variance_y, goldens->mean(i), goldens->scale(i)});
   }
   const std::vector<int> counts = predicted_samples(uniform.film, settings);
   const std::vector<double> of_contract(counts.begin(), counts.end());

@@ -82,11 +82,12 @@ bool traces_with_reference(const std::string& mixture) {
   });
 }
 
-// The wrong solutions that the pictures of the catalogue are rendered with.
+// The wrong solutions that the pictures of the catalogue are rendered with, and the reference.
 std::set<std::string> mistakes_in(const Catalogue& catalogue) {
   std::set<std::string> names;
   for (const Figure& figure : catalogue.figures) {
     for (const Picture& picture : figure.pictures) names.insert(picture.mistake);
+    for (const Picture& golden : figure.goldens) names.insert(golden.mistake);
   }
   names.erase("");
   return names;
@@ -117,13 +118,23 @@ Codes read_codes(const Options& options, const Catalogue& catalogue,
     codes.accuracy = options.submission.empty() ? code_of_program(options.accuracy)
                                                 : accuracy_of_submission(options, codes.chosen);
   }
+  // Errors of other code are measured against the reference, if its program is there.
+  const bool is_reference = options.submission.empty() && options.from == "reference";
+  if (codes.accuracy && !is_reference) {
+    const fs::path program = fs::path(options.accuracy).parent_path() / "ladder_rung.reference";
+    if (fs::exists(program)) {
+      codes.accuracy->command.emplace_back("--reference");
+      codes.accuracy->hash["framework"] += grader::base::sha256(grader::base::stamp(program));
+    }
+  }
   codes.stability = code_of_stability(options);
   codes.view = code_of_view(options, codes.chosen, figures);
-  // The learners' edition has no right solutions to compare.
-  if (options.mistakes.empty()) return codes;
-  codes.measure = code_of_measure(options, codes.chosen);
+  // The learners' edition has no right solutions to compare, and of these programs only the reference's.
+  if (!options.mistakes.empty()) codes.measure = code_of_measure(options, codes.chosen);
+  const fs::path beside = fs::path(options.renderer).parent_path();
+  const fs::path folder = options.mistakes.empty() ? beside : fs::path(options.mistakes);
   for (const std::string& wrong : mistakes_in(catalogue)) {
-    const fs::path program = fs::path(options.mistakes) / ("writeup_render." + wrong);
+    const fs::path program = folder / ("writeup_render." + wrong);
     if (fs::exists(program)) codes.mistakes[wrong] = code_of_program(program);
   }
   return codes;

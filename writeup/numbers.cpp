@@ -89,7 +89,8 @@ std::vector<std::string> number_names(const Figure& figure) {
         {".seconds",       ".samples",      ".rays",       ".mean",          ".average",
          ".median",        ".most",         ".ratio",      ".error",         ".factor",
          ".bias",          ".pixel_median", ".pixel_most", ".pixel_largest", ".black_pixels",
-         ".black_samples", ".lamp",         ".triangles",  ".batch",         ".tolerance"});
+         ".black_samples", ".lamp",         ".triangles",  ".batch",         ".tolerance",
+         ".error_pm",      ".factor_pm",    ".noise",      ".bias_pm",       ".wrong"});
   }
   return names;
 }

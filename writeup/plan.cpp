@@ -12,13 +12,13 @@ namespace writeup {
 
 namespace {
 
-constexpr int kDraftSize = 4;                    // times fewer pixels on each side
-constexpr int kDraftSamples = 16;                // times fewer, where a pixel is adaptive
-constexpr int kDraftAsMany = 64;                 // up to so many samples, a draft has as many
-constexpr int kDraftFewer = 8;                   // times fewer, above that
-constexpr double kDraftSeconds = 40;             // times less time for a measurement
-constexpr double kDraftCurves = 8;               // times less time for curves
-constexpr const char* kReference = "reference";  // in place of a mistake: no mistake
+constexpr int kDraftSize = 4;         // times fewer pixels on each side
+constexpr int kDraftSamples = 16;     // times fewer, where a pixel is adaptive
+constexpr int kDraftAsMany = 64;      // up to so many samples, a draft has as many
+constexpr int kDraftFewer = 8;        // times fewer, above that
+constexpr int kDraftGolden = 256;     // a golden has so many: four times any picture's
+constexpr double kDraftSeconds = 40;  // times less time for a measurement
+constexpr double kDraftCurves = 8;    // times less time for curves
 constexpr int kUniformBatches = 2;
 constexpr int kSmall = 100;  // pixels wide: small enough for a draft
 // Tests of one triangle by one ray that a cell without a tree may take in a turn.
@@ -62,7 +62,6 @@ Plan::Plan(const Catalogue& catalogue, const Codes& codes, const Scenes& scenes,
   };
   for (const Figure& figure : catalogue.figures) {
     for (const Picture& picture : figure.pictures) add(picture);
-    if (figure.golden) add(*figure.golden);
   }
 }
 
@@ -91,6 +90,8 @@ bool Plan::traces_as_reference(const Picture& picture) const {
 
 Unit Plan::unit(const Picture& picture) const {
   measure::Spec spec = quality_ == Quality::draft ? draft(picture.spec) : picture.spec;
+  if (picture.golden)
+    spec.samples = std::max(spec.samples, std::min(picture.spec.samples, kDraftGolden));
   spec.scene = scenes_.path(picture.scene);
   // The fast engine gives the same pictures, bit for bit, as the reference's own tree.
   if (traces_as_reference(picture) && spec.engine == pt::Engine::task && !spec.path.show_normals) {
@@ -200,7 +201,7 @@ std::vector<Unit> Plan::units(const Figure& figure) const {
     }
   }
   std::vector<Picture> pictures = figure.pictures;
-  if (figure.golden) pictures.push_back(*figure.golden);
+  pictures.insert(pictures.end(), figure.goldens.begin(), figure.goldens.end());
   for (const Picture& picture : pictures) {
     if (!unavailable(picture).empty()) continue;
     if (picture.look == Look::predicted) {

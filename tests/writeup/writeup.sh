@@ -173,6 +173,28 @@ exec "$build/writeup/writeup_render.reference" "\$@"
 END
 expect 2 "there is no folder '$made/renders/times'" writeup thief soft_shadows
 
+# What is wrong with a picture stands below it, whoever's code it is: the goldens are the reference's. Right pictures have noise alone.
+# judged NAME FIGURE WORDS: the code of writeup_render.NAME.
+judged() {
+  "$build/writeup/writeup" --quality draft --root "$root" --from "$1" --renderer "$build/writeup/writeup_render.$1" --mistakes "$build/writeup" \
+    --generate "$build/scenes/generate" --work "$made" --text "$root/writeup" --out "$folder/judged" "$2" >"$folder/said" 2>&1 || true
+  grep -oE 'error [0-9][^<]*' "$folder/judged/part"[34].html >"$folder/facts" || true
+  grep -qE -- "$3" "$folder/facts" || complain "$1 in $2: no '$3', but: $(cat "$folder/said" "$folder/facts")"
+}
+judged bsdf_applied_twice roulette '% noise, and 4[01]\.[0-9] % too dark$'
+judged emission_at_every_vertex roulette '% noise, and 9[0-9]\.[0-9] % too bright$'
+judged reference equal_direct 'error [0-9.]+ . [0-9.]+ %$'
+! grep -q noise "$folder/facts" || complain "the reference is wrong: $(cat "$folder/facts")"
+
+# Four times the samples and four times the light samples at least halve the error of part 3, within three standard errors.
+python3 - "$made/draft" <<'END' || complain "four times the samples do not halve the error of light sampling"
+import re, sys
+page = open(sys.argv[1] + "/part3.html", encoding="utf-8").read()
+found = dict(re.findall(r"(lights, s = (?:16, l = 8|64, l = 32)).*?error ([0-9.]+ ± [0-9.]+)", page, re.S))
+(few, of_few), (many, of_many) = ([float(x) for x in found[f"lights, s = {at}"].split(" ± ")] for at in ("16, l = 8", "64, l = 32"))
+sys.exit(not many <= few / 2 + 3 * (of_few / 2 + of_many))
+END
+
 # The kept pictures are exactly the pictures of the plan.
 handbook() {
   "$build/writeup/writeup" --handbook --root "$root" --from reference --renderer "$folder/writeup/reference" \

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace writeup {
@@ -232,38 +233,35 @@ Rendered even(double luminance, const std::vector<double>& variances, int sample
   return picture;
 }
 
-TEST(Compose, noise_is_the_root_of_the_mean_variance_of_a_pixel) {
-  EXPECT_NEAR(noise(even(kUnit, {4, 0}, 16)), std::sqrt((4 / 16. + 0) / 2), 1e-12);
-  EXPECT_NEAR(noise(even(2 * kUnit, {4, 4}, 16)), std::sqrt(4 / 16. / 4), 1e-12);
-}
-
-// All pixels are off by .6; of its square, the golden's own noise causes 4 / 16.
-TEST(Compose, an_error_is_without_the_noise_of_what_it_is_measured_against) {
-  const Rendered golden = even(kUnit, {4, 4}, 16);
-  EXPECT_NEAR(error(even(kUnit + .6, {0, 0}, 1), golden), std::sqrt(.36 - .25), 1e-12);
-  EXPECT_EQ(error(even(kUnit + .1, {0, 0}, 1), golden), 0) << "less than the noise";
-  EXPECT_NEAR(mean_luminance(golden.film), kUnit, 1e-12);
-}
-
-TEST(Compose, errors_are_those_of_a_dimmed_picture) {
-  for (const double dim : {1., .1}) {
-    const Rendered golden = even(dim * kUnit, {0, 0}, 16);
-    EXPECT_NEAR(error(even(dim * (kUnit + .3), {0, 0}, 1), golden), .3, 1e-12);
-    EXPECT_NEAR(bias(even(dim * (kUnit - .3), {0, 0}, 1), golden), -.3, 1e-12);
-  }
+// A picture of one pixel at kUnit + .6 and one at kUnit - .2, with variances of 4 and 0 in 16 samples; d is part of kUnit.
+TEST(Compose, the_parts_of_an_error_come_from_the_picture_and_its_variances) {
+  const std::vector<double> even_light{kUnit, kUnit};
+  Rendered picture = even(kUnit, {4, 0}, 16);
+  picture.has_variance = true;
+  picture.film.pixels[0].mean = pt::gray(kUnit + .6);
+  picture.film.pixels[1].mean = pt::gray(kUnit - .2);
+  const pt::Accuracy got = accuracy(picture, {even_light, even_light});
+  EXPECT_NEAR(got.error.value, std::sqrt((.36 + .04) / 2), 1e-12);
+  EXPECT_NEAR(got.noise.value().value, std::sqrt(.25 / 2), 1e-12);
+  EXPECT_NEAR(got.bias2.value, (.36 + .04 - .25) / 2, 1e-12);
+  EXPECT_NEAR(got.bias.value, .2 / kUnit, 1e-12);
+  picture.has_variance = false;
+  EXPECT_FALSE(accuracy(picture, {even_light, even_light}).noise);
 }
 
 // The noise of one pixel is 1 / 4, that of the other 1 / 2.
 TEST(Compose, errors_of_pixels_are_apart_from_a_bias) {
-  const pt::PixelErrors errors = pixel_noise(even(3, {1, 4}, 16), even(kUnit, {0, 0}, 16));
+  const std::vector<double> even_light{kUnit, kUnit};
+  const pt::PixelErrors errors = pixel_noise(even(3, {1, 4}, 16), {even_light, even_light});
   EXPECT_NEAR(errors.median, .25, 1e-12);
   EXPECT_NEAR(errors.largest, .5, 1e-12);
 }
 
 // One pixel of four sees nothing and takes 96 of 128 samples; another is the lamp.
 TEST(Compose, black_pixels_and_lamps_are_found) {
-  Rendered golden = even(1, {1, 1, 1, 1}, 64), picture = even(.5, {1, 1, 1, 1}, 8);
-  golden.film.pixels[2].mean = {};
+  const std::vector<double> light{1, 1, 0, 1};
+  const pt::Goldens golden(light, light);
+  Rendered picture = even(.5, {1, 1, 1, 1}, 8);
   picture.film.pixels[2].samples = 96;
   picture.film.pixels[3].samples = 16;
   EXPECT_NEAR(on_black(picture, golden).pixels, .25, 1e-12);
@@ -334,6 +332,12 @@ class MadeUp : public NumbersTest {
     picture.spec.height = 3;
     picture.spec.samples = samples;
     return picture;
+  }
+
+  static std::vector<Picture> goldens() {
+    std::vector<Picture> both{picture("golden", 1024), picture("golden", 1024)};
+    both[1].spec.seed = 1002;
+    return both;
   }
 };
 
@@ -446,7 +450,7 @@ TEST_F(MadeUp, a_tree_is_as_many_times_as_fast) {
 TEST_F(MadeUp, a_rule_for_samples_can_draw_or_win) {
   Figure figure;
   figure.id = figure.kind = "rules";
-  figure.golden = picture("golden", 1024);
+  figure.goldens = goldens();
   figure.pictures = {picture("uniform", 1 << 20)};
   figure.pictures[0].look = Look::predicted;
   figure.pictures[0].spec.adaptive = pt::AdaptiveSettings{1 << 20, 2, .01};
@@ -456,7 +460,9 @@ TEST_F(MadeUp, a_rule_for_samples_can_draw_or_win) {
   const auto draw = [&](const std::vector<measure::RowPixel>& pixels) {
     return drawn_by(figure, draw_rules, [&](const Plan& plan) {
       render(plan.store(), plan.uniform(figure.pictures[0]), 1, {}, pixels);
-      render(plan.store(), plan.units(figure, *figure.golden).at(0), 1, {}, pixels);
+      for (const Picture& golden : figure.goldens) {
+        render(plan.store(), plan.units(figure, golden).at(0), 1, {}, pixels);
+      }
     });
   };
   const Drawn got = draw({quiet, noisy});
@@ -473,29 +479,42 @@ TEST_F(MadeUp, a_rule_for_samples_can_draw_or_win) {
     EXPECT_TRUE(got.numbers.contains(name)) << name;
 }
 
-// Twice the error in half the time: for the same error it takes twice as long as the other.
+// Twice the error in half the time: for the same error it takes twice as long as the other. Half the light is missing in a third
+// picture, which has no such time.
 TEST_F(MadeUp, a_method_costs_time_times_the_square_of_its_error) {
   Figure figure;
   figure.id = "methods";
   figure.kind = "pictures";
-  figure.golden = picture("golden", 1024);
-  figure.pictures = {picture("slow", 16), picture("fast", 8)};
+  figure.goldens = goldens();
+  figure.pictures = {picture("slow", 16), picture("fast", 8), picture("dark", 4)};
   const Drawn got = drawn_by(figure, draw_pictures, [&](const Plan& plan) {
-    const auto make = [&](const Picture& of, double seconds, double luminance) {
-      render(plan.store(), plan.units(figure, of).at(0), seconds, {},
-             {pixel(luminance, of.spec.samples)});
+    const auto make = [&](const Picture& of, double seconds, double mean, double noise) {
+      std::vector<measure::RowPixel> pixels;
+      for (const double sign : {-1., 1.}) {
+        pixels.push_back(pixel(mean + sign * noise, of.spec.samples));
+        pixels.back().variance_y = static_cast<float>(1.001 * noise * noise * of.spec.samples);
+      }
+      render(plan.store(), plan.units(figure, of).at(0), seconds, {}, pixels);
     };
-    make(*figure.golden, 100, kUnit);
-    make(figure.pictures[0], 2, kUnit + .1);
-    make(figure.pictures[1], 1, kUnit + .2);
+    for (const Picture& golden : figure.goldens) make(golden, 100, kUnit, 0);
+    make(figure.pictures[0], 2, kUnit, .11);
+    make(figure.pictures[1], 1, kUnit, .22);
+    make(figure.pictures[2], 1, kUnit / 2, .11);
   });
   EXPECT_EQ(got.problems, std::vector<std::string>{});
-  EXPECT_EQ(got.numbers.at("slow.error"), "10.0");
-  EXPECT_EQ(got.numbers.at("fast.error"), "20.0");
+  EXPECT_EQ(got.numbers.at("slow.error"), "11.0");
+  EXPECT_EQ(got.numbers.at("fast.error"), "22.0");
   EXPECT_EQ(got.numbers.at("slow.factor"), "1.00");
   EXPECT_EQ(got.numbers.at("fast.factor"), "2.00");
-  EXPECT_EQ(got.numbers.at("fast.bias"), "20");
-  EXPECT_EQ(got.numbers.at("fast.pixel_largest"), "0");
+  EXPECT_EQ(got.numbers.at("fast.wrong"), "0");
+  EXPECT_EQ(got.numbers.at("fast.pixel_largest"), "22.0");
+  EXPECT_EQ(got.numbers.at("dark.wrong"), "1");
+  EXPECT_EQ(got.numbers.at("dark.bias"), "-50");
+  EXPECT_EQ(got.numbers.at("dark.noise"), "11.0");
+  EXPECT_FALSE(got.numbers.contains("dark.factor"));
+  EXPECT_EQ(got.rows.at(2).back(), "never");
+  EXPECT_THAT(got.pictures.at(2).facts, testing::EndsWith(": 11.0 % noise, and 50.0 % too dark"));
+  EXPECT_THAT(got.pictures.at(1).facts, testing::EndsWith("; error 22.000 \u00b1 0.000 %"));
 }
 
 // In a draft, pictures that differ in s are different pictures, and their labels are true.
