@@ -7,9 +7,11 @@
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
+#include "pt/image/accuracy.h"
 #include "pt/image/image_io.h"
 #include "pt/math/uncertain.h"
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -56,7 +58,31 @@ std::string described(const pt::Comparison& c) {
 struct Side {
   pt::Image image;
   std::optional<pictures::NoisyPicture> noisy;
+  std::vector<pt::Image> images;  // of several files
 };
+
+// The mean luminance of every second of the images.
+std::vector<double> half_of(const std::vector<pt::Image>& images, std::size_t first) {
+  std::vector<double> sum(images[first].pixels.size());
+  const std::size_t count = (images.size() - first + 1) / 2;
+  for (std::size_t k = first; k < images.size(); k += 2) {
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i] += pt::luminance(images[k].pixels[i]) / static_cast<double>(count);
+    }
+  }
+  return sum;
+}
+
+// The error of A where B is several pictures, which are two goldens; "" where it is not known.
+std::string error_beside(const Side& a, const Side& b) {
+  if (b.images.size() < 2) return "";
+  const pt::Accuracy accuracy =
+      pt::accuracy_of(half_of({a.image}, 0), {}, {half_of(b.images, 0), half_of(b.images, 1)});
+  if (!std::isfinite(accuracy.error.value)) return "";
+  return fmt::format(
+      "error    {:.3g} \u00b1 {:.2g} %   (root of relMSE in luminance, without the noise of B)\n",
+      100 * accuracy.error.value, 100 * accuracy.error.error);
+}
 
 bool has_variance(const pt::Film& film) {
   for (const pt::FilmPixel& pixel : film.pixels) {
@@ -73,12 +99,12 @@ Side read(const std::string& words) {
   while (std::getline(names, name, ',')) images.push_back(pt::read_image(name));
   if (images.size() > 1) {
     pictures::NoisyPicture noisy = pictures::noisy_picture(images);
-    return {noisy.mean, noisy};
+    return {noisy.mean, noisy, images};
   }
-  if (!pt::is_exr(words)) return {images.at(0), std::nullopt};
+  if (!pt::is_exr(words)) return {images.at(0), std::nullopt, {}};
   const pt::Film film = pt::read_exr(words);
-  if (!has_variance(film)) return {images[0], std::nullopt};
-  return {images[0], pictures::noisy_picture(film, words)};
+  if (!has_variance(film)) return {images[0], std::nullopt, {}};
+  return {images[0], pictures::noisy_picture(film, words), {}};
 }
 
 std::string place_of(const BlockDifference& block) {
@@ -116,7 +142,7 @@ std::string described(const pictures::WelchTest& test) {
 
 int run(const Options& options) {
   const Side a = read(options.a), b = read(options.b);
-  std::string numbers = described(pt::compare(a.image, b.image));
+  std::string numbers = described(pt::compare(a.image, b.image)) + error_beside(a, b);
   std::string verdict;
   if (!options.same_numbers && a.noisy && b.noisy) {
     const pictures::WelchTest test = pictures::welch_test(*a.noisy, *b.noisy);
@@ -162,7 +188,8 @@ int main(int argc, char** argv) {
   app.footer(
       "A and B are files, or each several pictures of one scene with commas between them (A1,A2 "
       "B1,B2). The noise is known of\n"
-      "several, and of an EXR of ./run render.\n\n"
+      "several, and of an EXR of ./run render. The error of A is known where B is several "
+      "pictures.\n\n"
       "./run compare SCENE.dae [--from student] [--against reference] [RENDER OPTIONS] renders a "
       "scene with\n"
       "two codes on the same random numbers, and shows both pictures on a page.");
