@@ -63,6 +63,26 @@ for words in 'writeup speedup' 'stability hit_sphere far_away' 'measure hit_sphe
 done
 expect 0 'bug_t' ./run writeup --list --from hit_bvh=student
 
+# A figure that does not exist is named before anything is built.
+for words in nonsense 'adaptive nonsense' '--quality draft nonsense' '--handbook nonsense'; do
+  read -ra words <<<"$words"
+  expect 2 "no figure 'nonsense'" env PATH=/usr/bin:/bin timeout 20 ./run writeup "${words[@]}"
+  ! grep -q building "$folder/said" || complain "writeup ${words[*]} builds: $(head -3 "$folder/said")"
+done
+# A part builds what its own figures need.
+(
+  build() { echo "$*"; }
+  eval "$(sed -nE '/^(figures_meant|writeup)\(\) \{/,/^\}/p' run)"
+  choose_mixture() { mixture=reference rest=("$@"); }
+  root=$PWD build=$folder/none
+  exec() { :; }
+  writeup 1; echo --; writeup fails_sum; echo --; writeup one_ray
+) >"$folder/needed" 2>&1
+printf '%s\n' 'release writeup generate writeup_render.reference' -- \
+  'release writeup generate writeup_render.reference' 'check grade stability stability_programs measure' -- \
+  'release writeup generate writeup_render.reference' 'check view view_worker.reference' |
+  diff - "$folder/needed" || complain 'other programs are built for a page (see above)'
+
 # A missing tool of ./run lint is a failure only where warnings are errors.
 for werror in ON OFF; do
   status=0
