@@ -34,16 +34,18 @@ std::string two_digits(double value) {
 }
 
 // The place at which a line first passes the threshold. Between two places of the curve it is a
-// straight line in the chart. A line without a number has passed the threshold.
-std::optional<double> passes(const json& points, double threshold) {
+// straight line in the chart. From an error of 0 or to no number there is no such line: then it is the two
+// places between which it fails, "65 to 260".
+std::optional<std::string> passes(const json& points, double threshold) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double place = points[i].at("place");
     const json& error = points[i].at("error");
     if (!error.is_null() && error <= threshold) continue;
-    if (i == 0 || error.is_null() || points[i - 1].at("error") <= 0) return place;
-    const double before = points[i - 1].at("place"), low = points[i - 1].at("error"), high = error;
-    const double part = std::log(threshold / low) / std::log(high / low);
-    return before * std::pow(place / before, part);
+    if (i == 0) return two_digits(place);
+    const double before = points[i - 1].at("place"), low = points[i - 1].at("error");
+    if (error.is_null() || low <= 0) return two_digits(before) + " to " + two_digits(place);
+    const double part = std::log(threshold / low) / std::log(error.get<double>() / low);
+    return two_digits(before * std::pow(place / before, part));
   }
   return {};
 }
@@ -58,7 +60,7 @@ void enter_line(const json& line, double threshold, Drawn& drawn) {
   const std::string id = line.at("id");
   const json& points = line.at("points");
   if (points.empty()) return;
-  const std::optional<double> fails = passes(points, threshold);
+  const std::string fails = passes(points, threshold).value_or(kDash);
   double largest = 0;
   for (const json& point : points) {
     if (!point.at("error").is_null()) largest = std::max(largest, point.at("error").get<double>());
@@ -66,14 +68,14 @@ void enter_line(const json& line, double threshold, Drawn& drawn) {
   const auto enter = [&](const char* what, const std::string& value) {
     drawn.numbers[id + what] = value;
   };
-  enter(".fails", fails ? two_digits(*fails) : kDash);
+  enter(".fails", fails);
   enter(".first", error_at(points.front()));
   enter(".last", error_at(points.back()));
   enter(".largest", two_digits(largest));
   enter(".from", two_digits(points.front().at("place")));
   enter(".to", two_digits(points.back().at("place")));
-  drawn.rows.push_back({line.at("title"), error_at(points.front()), error_at(points.back()),
-                        fails ? two_digits(*fails) : kDash});
+  drawn.rows.push_back(
+      {line.at("title"), error_at(points.front()), error_at(points.back()), fails});
 }
 
 const json* find_curve(const json& all, const Figure& figure) {
@@ -112,7 +114,9 @@ Drawn draw_curve(const Plan& plan, const Figure& figure, const fs::path& folder)
   }
   const fs::path from = plan.measured().folder(measurement);
   copy_file(from / (figure.curve + ".svg"), folder, figure.id + ".svg", drawn.charts);
-  copy_file(from / (figure.curve + ".csv"), folder, figure.id + ".csv", drawn.tables);
+  for (const char* const ending : {".csv", ".pdf"}) {
+    copy_file(from / (figure.curve + ending), folder, figure.id + ending, drawn.tables);
+  }
   const json& places = chart->at("lines").at(0).at("points");
   drawn.columns = {chart->at("error"), "at " + two_digits(places.front().at("place")),
                    "at " + two_digits(places.back().at("place")),

@@ -35,7 +35,10 @@ void take_files(const Plan& plan, const Measurement& measurement, const std::str
     list.push_back(id + "." + name);
     fs::copy_file(from / name, folder / list.back(), fs::copy_options::overwrite_existing);
   };
-  for (const std::string& name : charts) take(name, drawn.charts);
+  for (const std::string& name : charts) {
+    take(name, drawn.charts);
+    take(fs::path(name).replace_extension("pdf").string(), drawn.tables);
+  }
   for (const std::string& name : tables) take(name, drawn.tables);
 }
 
@@ -213,9 +216,14 @@ Drawn draw_table(const Plan& plan, const Figure& figure, const fs::path& folder)
                                           "predicted seconds",
                                           "measured",
                                           "measured error"};
-  const std::vector<std::string> parts{
-      "scene",    "course's settings", "hemisphere sampling",        "no roulette",
-      "adaptive", "no tree",           "pixels with smooth normals", "missing with m - 1"};
+  const std::vector<std::string> parts{"scene",
+                                       "course's settings",
+                                       "hemisphere sampling",
+                                       "no roulette",
+                                       "adaptive",
+                                       "no tree",
+                                       "pixels whose normal is turned by 1°",
+                                       "missing with m - 1"};
   drawn.columns = needs ? settings : parts;
   const std::vector<Measurement> all = plan.measurements(figure);
   for (std::size_t i = 0; i < all.size(); ++i) {

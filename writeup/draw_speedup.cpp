@@ -148,6 +148,7 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folde
                           shown(wide, wide.seconds), both ? factor_text(factor, error) : kDash,
                           shown(linear, linear.tests), shown(tree, tree.tests)});
     if (both) enter_numbers(scene, linear, tree, drawn);
+    drawn.numbers[scene + ".name"] = plan.scenes().short_name(scene);
     for (const Cell& cell : {linear, tree}) {
       const std::string problem = plan.scenes().short_name(scene) + ": " + cell.problem;
       const bool is_new = drawn.problems.empty() || drawn.problems.back() != problem;
@@ -163,6 +164,7 @@ Drawn draw_speedup(const Plan& plan, const Figure& figure, const fs::path& folde
   draw_chart(folder, figure.id, lines);
   drawn.tables = {figure.id + ".csv"};
   if (fs::exists(folder / (figure.id + ".svg"))) drawn.charts = {figure.id + ".svg"};
+  if (fs::exists(folder / (figure.id + ".pdf"))) drawn.tables.push_back(figure.id + ".pdf");
   return drawn;
 }
 

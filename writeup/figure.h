@@ -32,7 +32,7 @@ struct Drawn {
   std::vector<Shown> pictures;
   std::vector<std::string> columns;            // of a table
   std::vector<std::vector<std::string>> rows;  // of the table; the first cell is the row's head
-  std::vector<std::string> charts, tables;     // files: .svg, .csv
+  std::vector<std::string> charts, tables;     // files: .svg; and .csv, or a chart as .pdf
   std::vector<std::string> problems;           // reasons for missing parts, a sentence each
   std::map<std::string, std::string> numbers;  // "l16.seconds": "4.2"
   double seconds = 0;                          // of processor time

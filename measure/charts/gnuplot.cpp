@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <iterator>
 #include <regex>
 
@@ -34,6 +35,35 @@ std::size_t number_of(const std::string& name) {
     number = (number ^ static_cast<unsigned char>(c == '_' ? ' ' : c)) * 16777619U;
   }
   return number >> 8;
+}
+
+// Returns whether gnuplot has drawn.
+bool run_gnuplot(const fs::path& folder, const std::string& name, const std::string& commands) {
+  const fs::path file = folder / (name + ".gp");
+  pt::write_file(file, commands);
+  const grader::process::Child child{{"/usr/bin/gnuplot", file.filename().string()},
+                                     {"PATH=/usr/bin", "LANG=C.UTF-8"},
+                                     {},
+                                     folder.string(),
+                                     {}};
+  const bool is_drawn = grader::process::run_command(child, std::chrono::seconds(20)).ok();
+  fs::remove(file);
+  return is_drawn;
+}
+
+// The commands of an SVG, for a PDF of the same size: 96 pixels are an inch.
+std::string for_paper(const std::string& commands) {
+  static const std::regex output(R"re(set output "(.*)\.svg")re");
+  static const std::regex terminal(
+      R"re(set terminal svg size ([0-9]+),([0-9]+) font "sans-serif,13")re");
+  std::string text = std::regex_replace(commands, output, "set output \"$1.pdf\"");
+  for (std::smatch found; std::regex_search(text, found, terminal);) {
+    text.replace(
+        found.position(), found.length(),
+        fmt::format("set terminal pdfcairo size {:.3f}in,{:.3f}in font \"sans-serif,9.75\"",
+                    std::stoi(found[1]) / 96.0, std::stoi(found[2]) / 96.0));
+  }
+  return text;
 }
 
 // gnuplot's own titles name its commands, and its texts under the pointer need a script.
@@ -95,22 +125,23 @@ std::string names_beside(std::vector<NamedEnd> ends, double low, double high) {
   return text;
 }
 
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
+  }
+  return "";
+}
+
 void draw(const fs::path& folder, const std::string& name, const std::string& commands) {
-  const std::string output = "set output \"" + name + ".svg\"\n";
-  pt::write_file(folder / (name + ".gp"), kStyle + output + commands);
-  const grader::process::Child child{{"/usr/bin/gnuplot", name + ".gp"},
-                                     {"PATH=/usr/bin", "LANG=C.UTF-8"},
-                                     {},
-                                     folder.string(),
-                                     {}};
-  const bool is_drawn = grader::process::run_command(child, std::chrono::seconds(20)).ok();
-  fs::remove(folder / (name + ".gp"));
-  const fs::path made = folder / (name + ".svg");
-  if (!is_drawn) {
+  const std::string output = "set output \"" + name + ".svg\"\n", svg = kStyle + output + commands;
+  const fs::path made = folder / (name + ".svg"), paper = folder / (name + ".pdf");
+  if (!run_gnuplot(folder, name, svg)) {
     fs::remove(made);  // gnuplot leaves an empty one
   } else if (fs::exists(made)) {
     pt::write_file(made, for_pages(pt::read_file(made, kMaxChart)));
   }
+  if (fs::exists(made) && !run_gnuplot(folder, name, for_paper(svg))) fs::remove(paper);
 }
 
 }  // namespace measure

@@ -8,9 +8,13 @@
 namespace measure {
 
 // Draws <folder>/<name>.svg with gnuplot, in the style of the write-up, from commands that read
-// their numbers in that folder. It is narrow enough for a phone. Does nothing without gnuplot.
+// their numbers in that folder, and the same as <name>.pdf for papers. It is narrow enough for a phone. Does nothing
+// without gnuplot.
 void draw(const std::filesystem::path& folder, const std::string& name,
           const std::string& commands);
+
+// The model of this machine's processor, for charts of times; empty where the system does not say it.
+std::string processor();
 
 // The colours of all charts, which people with any kind of sight tell apart (Okabe and Ito 2008). The
 // reference, or what the others are compared with, is black, and somebody's own code orange. Hemisphere

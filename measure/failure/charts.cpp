@@ -91,6 +91,17 @@ std::string theory_data(const Chart& chart) {
   return csv;
 }
 
+constexpr const char* kOthers = "#c8ccd0";  // the ink of lines without a name
+
+// Returns whether there is a line without a name.
+bool has_others(const Charts& charts, const Chart& chart) {
+  for (std::size_t i = 0; i < charts.lines.size(); ++i) {
+    if (is_shown(charts, chart, i) && !is_named(charts, chart, i) && !chart.points[i].empty())
+      return true;
+  }
+  return false;
+}
+
 struct Pen {
   std::string color;
   double width;
@@ -129,7 +140,7 @@ std::vector<std::string> inks_of(const Charts& charts) {
 
 // Each method has its own dashes, so that lines on top of each other can be distinguished.
 Pen pen_of(const Charts& charts, const Chart& chart, std::size_t line, const std::string& color) {
-  if (!is_named(charts, chart, line)) return {"#c8ccd0", 1, 1, false};
+  if (!is_named(charts, chart, line)) return {kOthers, 1, 1, false};
   if (charts.lines[line].kind == CurveLine::Kind::reference) return {ink::kBlack, 3, 1, true};
   if (charts.lines[line].kind == CurveLine::Kind::submission) return {ink::kOrange, 3, 1, true};
   const auto method = std::ranges::find(chart.methods, line) - chart.methods.begin();
@@ -160,12 +171,21 @@ std::string area_of(const Chart& chart, const Promised& promised, const Range& r
   return area + fmt::format(" fc rgb \"{}\" fs solid noborder clip behind\n", color_of(promised));
 }
 
+// Numbers at powers of ten above the tic 0, at most about eight: below it, a number would be no error.
+std::string tics_above_zero(const Range& range) {
+  constexpr double kMostTics = 8;
+  const double first = std::ceil(std::log10(2 * range.zero)), last = std::log10(range.top);
+  const double step = std::max(1.0, std::ceil((last - first) / kMostTics));
+  return fmt::format("set ytics 1e{:g},1e{:g},1e{:g}\nset ytics add (\"0\" {:g})\n", first, step,
+                     std::ceil(last), range.zero);
+}
+
 std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
   const auto& places = chart.points[0];
   constexpr std::size_t kLetters = 68, kSmallLetters = 84;
   const std::string input = wrapped(chart.input, kLetters),
                     source = wrapped(chart.source, kSmallLetters, "}\\n{/*0.8 "),
-                    error = wrapped(chart.error, kLetters);
+                    error = wrapped(error_text(chart), kLetters);
   const std::size_t rows = keys + std::ranges::count(input + source, '\\');
   std::string commands = fmt::format(
       "set logscale xy\nset format \"10^{{%L}}\"\nset xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n"
@@ -176,7 +196,7 @@ std::string axes(const Chart& chart, const Range& range, std::size_t keys) {
       places.front().place, places.back().place, range.bottom, range.top,
       quoted(input + "\\n{/*0.8 " + source + "}"), chart.title, error, 420 + 20 * rows,
       5.0 + static_cast<double>(rows), keys);
-  if (range.has_zeros) commands += fmt::format("set ytics add (\"0\" {:g})\n", range.zero);
+  if (range.has_zeros) commands += tics_above_zero(range);
   // A short axis needs every number that it has.
   const auto is_short = [](double low, double high) {
     return std::abs(std::log10(high / low)) < 3;
@@ -245,6 +265,11 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::vector<std:
         under_the_pointer({fmt::format("\"{}.csv\" index {}", name, charts.lines.size()), "theory",
                            "$2", fmt::format("($3 > {:g} ? $3 : NaN)", range.bottom), "$3", ""}) +
         ", ";
+  }
+  if (has_others(charts, chart)) {
+    ++keys;
+    plot +=
+        fmt::format("NaN with lines lc rgb \"{}\" lw 1 title \"other right solutions\", ", kOthers);
   }
   // The areas have entries in the key too.
   for (const Promised& promised : chart.promised) {

@@ -119,6 +119,15 @@ Answered curves_of(const build::Config& config, const build::Builder& builder,
   return {json::array(), written.error};  // the other lines are still measured
 }
 
+// "the largest of 200 cases": what is drawn at each place; empty where that is one case.
+std::string drawn_of(const json& curve) {
+  int cases = 0;
+  for (const json& at : curve.at("places")) cases = std::max(cases, at.at("cases").get<int>());
+  if (cases < 2) return "";
+  return "the " + curve.at("statistic").get<std::string>() + " of " + std::to_string(cases) +
+         " cases";
+}
+
 std::vector<Point> points_of(const json& curve) {
   std::vector<Point> points;
   for (const json& at : curve.at("places")) {
@@ -139,6 +148,7 @@ Chart chart_of(const build::TaskConfig& task, const json& curve) {
   chart.input = curve.at("input");
   chart.error = curve.at("error");
   chart.source = curve.at("source");
+  chart.drawn = drawn_of(curve);
   for (const json& at : curve.at("places")) {
     if (at.contains("theory")) chart.theory.push_back(at.at("theory"));
   }

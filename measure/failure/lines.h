@@ -54,6 +54,7 @@ struct Promised {
 // A curve of a task with the points of each line; no points for lines that could not be measured.
 struct Chart {
   std::string slug, name, title, input, error, source;
+  std::string drawn;  // "the largest of 200 cases": of the errors at a place; empty: the only one
   std::vector<Promised> promised;
   std::vector<double> theory;              // by place; none: empty
   std::vector<std::vector<Point>> points;  // by line

@@ -7,6 +7,10 @@
 
 namespace measure::failure {
 
+std::string error_text(const Chart& chart) {
+  return chart.drawn.empty() ? chart.error : chart.error + ", " + chart.drawn;
+}
+
 namespace {
 
 constexpr int kColumn = 12;
@@ -51,8 +55,8 @@ std::string list_of_broken(const Charts& charts, const Chart& chart) {
 }
 
 std::string table(const Charts& charts, const Chart& chart) {
-  std::string text =
-      fmt::format("{}: {}\n  {}\n  by {}\n", chart.slug, chart.title, chart.error, chart.input);
+  std::string text = fmt::format("{}: {}\n  {}\n  by {}\n", chart.slug, chart.title,
+                                 error_text(chart), chart.input);
   for (const Promised& promised : chart.promised) text += sentence_of(promised);
   std::string head = fmt::format("{:>10}", "");
   char letter = 'a';

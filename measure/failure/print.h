@@ -7,6 +7,9 @@
 
 namespace measure::failure {
 
+// What is measured, and of how many cases: "error of t, the largest of 200 cases".
+std::string error_text(const Chart& chart);
+
 // A table of each chart for a terminal: a row per place; columns for the reference, the submission, and
 // the methods that the chart is about.
 std::string to_text(const Charts& charts);

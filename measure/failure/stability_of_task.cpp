@@ -39,11 +39,23 @@ json to_json(const check::Promised& promised, const std::vector<double>& places)
   return {{"bonus", promised.bonus}, {"corners", corners}};
 }
 
+// What is drawn of the cases at a place.
+const char* name_of(check::Statistic statistic) {
+  constexpr const char* kNames[] = {"largest", "mean", "median", "mean"};
+  return kNames[static_cast<int>(statistic)];
+}
+
 json to_json(const check::NamedCurve& named, const std::vector<check::MeasuredPlace>& measured) {
   const check::Curve& curve = named.curve;
-  json all{{"name", named.name},      {"title", curve.title},     {"input", curve.input},
-           {"error", curve.error},    {"source", curve.source},   {"methods", json::array()},
-           {"places", json::array()}, {"promised", json::array()}};
+  json all{{"name", named.name},
+           {"title", curve.title},
+           {"input", curve.input},
+           {"error", curve.error},
+           {"source", curve.source},
+           {"methods", json::array()},
+           {"places", json::array()},
+           {"promised", json::array()},
+           {"statistic", name_of(curve.statistic)}};
   for (const check::Promised& promised : curve.promised) {
     all["promised"].push_back(to_json(promised, curve.places));
   }

@@ -97,6 +97,18 @@ bool is_written(const Method& method) {
                       [&](const std::string& task) { return needed.contains(task); });
 }
 
+// The error of a line after so many seconds; infinite where it has not begun or has ended.
+double error_after(const std::vector<Checked>& line, double seconds) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i].seconds == seconds) return line[i].error.value;
+    if (i == 0 || !(line[i - 1].seconds < seconds && seconds < line[i].seconds)) continue;
+    const double part =
+        std::log(seconds / line[i - 1].seconds) / std::log(line[i].seconds / line[i - 1].seconds);
+    return line[i - 1].error.value * std::pow(line[i].error.value / line[i - 1].error.value, part);
+  }
+  return INFINITY;
+}
+
 Uncertain ratio(const Uncertain& a, const Uncertain& b) {
   const double value = a.value / b.value;
   return {value, value * std::hypot(a.error / a.value, b.error / b.value)};
@@ -220,14 +232,27 @@ std::vector<DrawnMethod> seven_of(const std::vector<MethodCurve>& curves) {
   return chosen;
 }
 
-std::vector<Checked> pareto_front(const std::vector<MethodCurve>& curves) {
-  std::vector<Checked> all, front;
+std::vector<FrontPlace> front_of(const std::vector<MethodCurve>& curves) {
+  std::vector<std::vector<Checked>> lines;
+  std::vector<double> times;
   for (const MethodCurve& curve : curves) {
-    if (!curve.fails) all.insert(all.end(), curve.points.begin(), curve.points.end());
+    if (curve.fails) continue;
+    lines.push_back(curve.points);
+    std::ranges::sort(lines.back(), {}, &Checked::seconds);
+    for (const Checked& point : curve.points) times.push_back(point.seconds);
   }
-  std::ranges::sort(all, {}, [](const Checked& c) { return std::pair(c.seconds, c.error.value); });
-  for (const Checked& point : all) {
-    if (front.empty() || point.error.value < front.back().error.value) front.push_back(point);
+  const auto [first, last] = std::ranges::minmax(times);
+  constexpr int kSteps = 200;
+  for (int i = 1; i < kSteps; ++i) {
+    times.push_back(first * std::pow(last / first, static_cast<double>(i) / kSteps));
+  }
+  std::ranges::sort(times);
+  std::vector<FrontPlace> front;
+  for (const double seconds : times) {
+    double least = INFINITY;
+    for (const std::vector<Checked>& line : lines)
+      least = std::min(least, error_after(line, seconds));
+    if (front.empty() || least < front.back().error) front.push_back({seconds, least});
   }
   return front;
 }

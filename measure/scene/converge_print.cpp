@@ -65,6 +65,22 @@ set style fill transparent solid 0.2 noborder
 {}plot {}
 )gp";
 
+// What a chart is about, so that it says so without the page around it.
+std::string title_of(const Options& options) {
+  return fmt::format(
+      "set title \"{}, {} x {} pixels, at most {} bounces\\nl = 1 and survival .7 where nothing "
+      "else is said\" "
+      "noenhanced\n",
+      options.scene.filename().string(), options.width, options.height, options.bounces);
+}
+
+// Times are those of a machine.
+std::string seconds_label() {
+  const std::string all = processor(),
+                    model = all.substr(0, all.find(" @"));  // without its frequency
+  return "processor seconds" + (model.empty() ? "" : "\\n{/*0.8 " + model + "}");
+}
+
 // The lowest and the highest number of a chart, with some room beside them.
 struct Span {
   double low = INFINITY, high = 0;
@@ -78,9 +94,13 @@ struct Span {
   }
 };
 
-// A line and its band of one standard error for each method.
+// A line and its band of one standard error for each method. A method below this efficiency has its number
+// beside its name instead: its line would take most of the height from all others.
+constexpr double kLowestDrawn = 0.05;
+
 void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve& first,
-                       double pixels, const std::filesystem::path& folder) {
+                       double pixels, const Options& options) {
+  const std::filesystem::path& folder = options.out;
   std::string csv = "method,seconds,efficiency,error_of_it\n", plots;
   std::vector<NamedEnd> ends;
   Span span;
@@ -91,9 +111,11 @@ void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve&
     for (const Efficiency& at : places) {
       csv += fmt::format("\"{}\",{:.6g},{:.5g},{:.3g}\n", curve.method.title, at.seconds * pixels,
                          at.value.value, at.value.error);
-      span.grow(at.value.value);
+      if (at.value.value > kLowestDrawn) span.grow(at.value.value);
     }
-    ends.push_back({name_of(curve, first), drawn[i].color, places.back().value.value});
+    const double last = places.back().value.value;
+    const std::string below = last > kLowestDrawn ? "" : fmt::format(": {:.2g}", last);
+    ends.push_back({name_of(curve, first) + below, drawn[i].color, last});
     plots += fmt::format(
         "{0}\"efficiency.csv\" index {1} using 2:($3-$4):($3+$4) skip {2} with filledcurves lc rgb "
         "\"{3}\", \"\" index {1} using 2:3 skip {2} with linespoints lc rgb \"{3}\" lw 2 pt {4}",
@@ -104,8 +126,9 @@ void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve&
   }
   pt::write_file(folder / "efficiency.csv", csv);
   draw(folder, "efficiency",
-       fmt::format(fmt::runtime(kStyle), "%g", "processor seconds",
-                   "efficiency beside lights, l = 1", span.names(std::move(ends)), plots));
+       title_of(options) + fmt::format(fmt::runtime(kStyle), "%g", seconds_label(),
+                                       "efficiency beside lights, l = 1",
+                                       span.names(std::move(ends)), plots));
 }
 
 // The error over a column of converge.csv. Over samples and rays all engines have the same line.
@@ -114,11 +137,11 @@ struct Axis {
   int column;
 };
 constexpr Axis kAxes[] = {{"samples", "%g", "samples per pixel", 3},
-                          {"seconds", "%g", "processor seconds", 4},
+                          {"seconds", "%g", "", 4},
                           {"rays", "10^{%L}", "rays", 5}};
 
 void draw_errors(const std::vector<DrawnMethod>& drawn, const MethodCurve& first, const Axis& axis,
-                 const std::filesystem::path& folder) {
+                 const Options& options) {
   const bool over_seconds = axis.column == 4;
   std::string plots;
   std::vector<NamedEnd> ends;
@@ -140,9 +163,11 @@ void draw_errors(const std::vector<DrawnMethod>& drawn, const MethodCurve& first
     plots += fmt::format(", \"front.csv\" using 1:2 skip 1 with lines lc rgb \"{}\" lw 1.5 dt 3",
                          ink::kBlack);
   }
-  draw(folder, axis.file,
-       fmt::format(fmt::runtime(kStyle), axis.format, axis.label, "error (root of relMSE)",
-                   span.names(std::move(ends)), plots));
+  const std::string label = over_seconds ? seconds_label() : axis.label;
+  draw(options.out, axis.file,
+       title_of(options) + fmt::format(fmt::runtime(kStyle), axis.format, label,
+                                       "error (root of relMSE)", span.names(std::move(ends)),
+                                       plots));
 }
 
 void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem::path& file) {
@@ -220,13 +245,13 @@ void write_curves(const std::vector<MethodCurve>& curves, const Options& options
   pt::write_file(folder / "converge.csv", csv);
   write_factors(curves, folder / "factors.csv");
   csv = "seconds,error\n";
-  for (const Checked& point : pareto_front(curves)) {
-    csv += fmt::format("{:.6g},{:.6g}\n", point.seconds * pixels, point.error.value);
+  for (const FrontPlace& place : front_of(curves)) {
+    csv += fmt::format("{:.6g},{:.6g}\n", place.seconds * pixels, place.error);
   }
   pt::write_file(folder / "front.csv", csv);
   const std::vector<DrawnMethod> drawn = seven_of(curves);
-  draw_efficiencies(drawn, curves[0], pixels, folder);
-  for (const Axis& axis : kAxes) draw_errors(drawn, curves[0], axis, folder);
+  draw_efficiencies(drawn, curves[0], pixels, options);
+  for (const Axis& axis : kAxes) draw_errors(drawn, curves[0], axis, options);
   pt::write_file(folder / "converge.json", to_json(curves, pixels, cpu_seconds).dump());
 }
 

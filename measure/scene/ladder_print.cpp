@@ -73,7 +73,7 @@ std::string notes(const Ladder& ladder) {
 
 // The engines' rungs differ only in time, so rays mean nothing there.
 const char* const kLadderChart = R"gp(set logscale y
-set terminal svg size 860,520
+set terminal svg size 860,520 font "sans-serif,13"
 set ylabel "cost of the plainest renderer over the cost of this one"
 set xtics rotate by -35 ({})
 set xrange [-.5:{}]

@@ -20,12 +20,12 @@ has() {
   local where=$1 file
   shift
   for file in "$@"; do
-    [ "${file##*.}" != svg ] || command -v gnuplot >/dev/null || continue
+    case $file in *.svg | *.pdf) command -v gnuplot >/dev/null || continue ;; esac
     [ -s "$where/$file" ] || complain "no $file"
   done
   [ "$(find "$where" -type f | wc -l)" -le $# ] || complain "something is left over"
 }
-has "$folder/charts" options.csv options.svg bounces.csv bounces.svg noise.csv noise.svg cheapest.json
+has "$folder/charts" {options,bounces,noise}.{csv,svg,pdf} cheapest.json
 
 # In no scene is anything that was tried cheaper than the answer, by more than its error.
 for scene in box_spheres box_empty box_gems box_coil box_blob two_lights pale_room large_light penumbra point_light tiny_light; do
@@ -62,7 +62,7 @@ expect 2 'not written yet: ' "$programs/accuracy.student" cheapest scenes/box_sp
 
 converge() { "$programs/accuracy.reference" converge --seconds 1 --pixels 600 -r 48 36 "$@"; }
 expect 0 'hemisphere, l = 8 ' converge scenes/box_spheres.dae -m 3 --out "$folder/curves"
-has "$folder/curves" converge.csv converge.json efficiency.csv factors.csv front.csv efficiency.svg samples.svg seconds.svg rays.svg
+has "$folder/curves" converge.{csv,json} {efficiency,factors,front}.csv {efficiency,samples,seconds,rays}.{svg,pdf}
 [ "$(grep -c '"lights, l = 1, adaptive"' "$folder/curves/converge.csv")" -eq 4 ] || {
   echo "FAILED: a curve has not four points"
   failures=$((failures + 1))
@@ -80,7 +80,7 @@ expect 0 'The best, with' ladder scenes/box_spheres.dae -m 3 --out "$folder/ladd
 for words in 'the plainest renderer' 'the wide engine' 'light sampling' 'rectangles by solid angle' 'adaptive sampling'; do
   grep -qF -- "$words" "$folder/said" || complain "no rung '$words"
 done
-has "$folder/ladder" ladder.csv ladder.svg
+has "$folder/ladder" ladder.{csv,svg,pdf}
 expect 0 'Hemisphere sampling would miss' ladder scenes/point_light.dae -m 2
 expect 2 '--samples' ladder scenes/box_spheres.dae -s 2
 cp "$programs/ladder" "$folder/ladder/"

@@ -383,11 +383,33 @@ TEST(Factors, efficiency_is_flat_where_the_power_law_holds) {
   }
   half.points.back().error.value *= 2;
   EXPECT_NEAR(efficiencies(half, first).back().value.value, 1, 1e-12) << "a bias bends it";
-  // The first point of `half` is beaten by none, its last by the first method's, which is as good.
-  const std::vector<Checked> front = pareto_front({first, half});
-  ASSERT_EQ(front.size(), 2u);
-  EXPECT_NEAR(front[0].error.value, .25, 1e-12);
-  EXPECT_NEAR(front[1].error.value, .125, 1e-12);
+}
+
+// One line from 1 s to 100 s, a steeper one that crosses it at 10 s and goes on to 1000 s, and a method that
+// fails. At 4 s and at 40 s, where nothing was measured, the front is on the lower of the two lines.
+TEST(Factors, the_front_is_on_the_lowest_line) {
+  const auto line = [](double from, double to, double slope) {
+    MethodCurve curve;
+    for (const double seconds : {from, to}) {
+      curve.points.push_back(
+          {{std::pow(seconds / 10, slope), 0}, seconds, seconds, seconds, 1, {}, {}});
+    }
+    return curve;
+  };
+  MethodCurve fails = line(1, 1000, 0);
+  for (Checked& point : fails.points) point.error.value = 1e-9;
+  fails.fails = true;
+  const std::vector<FrontPlace> front = front_of({line(1, 100, -.5), line(2, 1000, -1), fails});
+  EXPECT_NEAR(front.front().error, std::sqrt(10), 1e-12);
+  EXPECT_NEAR(front.back().error, .01, 1e-12);
+  for (const double seconds : {4., 40.}) {
+    const auto after = std::ranges::lower_bound(front, seconds, {}, &FrontPlace::seconds);
+    const auto before = std::prev(after);
+    const double part =
+        std::log(seconds / before->seconds) / std::log(after->seconds / before->seconds);
+    EXPECT_NEAR(before->error * std::pow(after->error / before->error, part),
+                std::pow(seconds / 10, seconds < 10 ? -.5 : -1), 1e-9);
+  }
 }
 
 TEST(Pixels, one_is_in_each_block) {
@@ -569,7 +591,7 @@ TEST(Study, a_method_that_never_finds_the_light_fails) {
   EXPECT_TRUE(curves[1].fails);
   EXPECT_GT(curves[1].points.back().error.value, .8);
   EXPECT_EQ(&fastest(curves), curves.data());
-  for (const Checked& point : pareto_front(curves)) EXPECT_LT(point.error.value, .5);
+  for (const FrontPlace& place : front_of(curves)) EXPECT_LT(place.error, .5);
 }
 
 // Renders like a worker for a submission: the pixels of some rows are the picture's pixels.

@@ -67,7 +67,8 @@ TEST_F(NumbersTest, a_line_fails_where_it_passes_the_threshold) {
                     {"error", "the error"},
                     {"lines",
                      {line("climbs", {1e-6, 1e-4, 1e-2}), line("stays", {1e-9, 0, 1e-3}),
-                      line("stops", {1e-9, 1e-9, nullptr}), line("bad", {.5, .25, .5})}}}}}};
+                      line("stops", {1e-9, 1e-9, nullptr}), line("bad", {.5, .25, .5}),
+                      line("jumps", {0, 0, .5})}}}}}};
   const Drawn got = drawn(figure, "stability.json", all.dump(), draw_curve);
   ASSERT_EQ(got.problems, std::vector<std::string>{});
   EXPECT_EQ(got.numbers.at("climbs.fails"), "1000");
@@ -77,7 +78,8 @@ TEST_F(NumbersTest, a_line_fails_where_it_passes_the_threshold) {
   EXPECT_EQ(got.numbers.at("climbs.to"), "10000");
   EXPECT_EQ(got.numbers.at("stays.fails"), "\u2013");
   EXPECT_EQ(got.numbers.at("stays.largest"), "0.001");
-  EXPECT_EQ(got.numbers.at("stops.fails"), "10000");
+  EXPECT_EQ(got.numbers.at("stops.fails"), "100 to 10000");
+  EXPECT_EQ(got.numbers.at("jumps.fails"), "100 to 10000");
   EXPECT_EQ(got.numbers.at("stops.last"), "none");
   EXPECT_EQ(got.numbers.at("bad.fails"), "1");
 }
