@@ -3,7 +3,9 @@
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
 #include "grader/check/scenes/scenes.h"
+#include "grader/tasks/direct_lights/coarse_mesh.h"
 #include "grader/tasks/direct_lights/inputs.h"
+#include "grader/tasks/direct_lights/shadows.h"
 #include "pt/tasks/direct_lights.h"
 
 #include <algorithm>
@@ -130,6 +132,87 @@ CURVE(direct_lights, light_is_a_surface) {
             const Pose pose{*rotation(), size * *point(), size};
             const Situation s = *lit_by(lamp_with_a_body, rc::gen::just(pose));
             return one_estimate(s).r > 0 ? 0 : 1;
+          }};
+}
+
+// A dark square, or none, is just before a lamp with a surface of its own. A point below is wrong if it
+// is lit behind the square, or dark without it.
+CURVE(direct_lights, gap_before_a_light) {
+  return {.title = "A surface just before a light",
+          .input = "gap between them, as a part of the way to the light",
+          .error = "share of points that are lit wrongly, or dark wrongly",
+          .source = "the end of a ray can be told from the light only down to rounding",
+          .places = by_factors(0.1, 1e-11, 21),
+          .promised = {{0.1, 1e-3}},
+          .methods = {{"wrong/shadow_ray_ends_on_the_light", "the ray ends on the light"},
+                      {"wrong/shadow_ray_of_99_percent", "shortened by a hundredth"},
+                      {"right/shadow_ray_of_its_own", "shortened by a part"},
+                      {"methods/fixed_lengths", "fixed lengths, single precision", true}},
+          .statistic = Statistic::mean,
+          .measure = [](double gap) {
+            const bool is_hidden = *rc::gen::arbitrary<bool>();
+            const Situation s =
+                *lit_by([&](SceneMaker& maker) { lamp_behind_a_gap(maker, gap, is_hidden); });
+            return (one_estimate(s).r > 0) == is_hidden ? 1 : 0;
+          }};
+}
+
+// The same for a lid close above the point.
+CURVE(direct_lights, gap_above_the_point) {
+  return {.title = "Two surfaces close together",
+          .input = "gap between them, in sizes of the scene",
+          .error = "share of points that are lit wrongly, or dark wrongly",
+          .source = "Waechter and Binder 2019, Ray Tracing Gems, chapter 6",
+          .places = by_factors(0.1, 1e-13, 25),
+          .promised = {{0.1, 1e-3}},
+          .methods = offsets(),
+          .statistic = Statistic::mean,
+          .measure = [](double gap) {
+            const bool is_hidden = *rc::gen::arbitrary<bool>();
+            const Pose pose{*rotation(), *point(), 1};
+            const Situation s =
+                *lit_by([&](SceneMaker& maker) { point_light_above_a_gap(maker, gap, is_hidden); },
+                        rc::gen::just(pose));
+            return (one_estimate(s).r > 0) == is_hidden ? 1 : 0;
+          }};
+}
+
+// A side of the tube whose middle is a little beyond the edge of the light faces away as a whole. Its
+// points up to that edge are black: on average a quarter of a half side, at both edges.
+CURVE(direct_lights, coarse_mesh) {
+  return {.title = "Smooth normals of a coarse mesh",
+          .input = "sides of a tube",
+          .error = "share of points that are black though their normal faces the light",
+          .source = "Hanika 2021, Ray Tracing Gems II, chapter 4: the shadow terminator",
+          .places = {128, 64, 32, 16, 12, 8, 6, 4},
+          .promised = {},
+          .methods = {},
+          .statistic = Statistic::mean,
+          .cases = 1000,
+          .theory = [](double sides) { return 1 / (2 * sides); },
+          .measure =
+              [](double sides) {
+                return one_estimate(lit_tube(static_cast<int>(sides))).r > 0 ? 0 : 1;
+              }};
+}
+
+CURVE(direct_lights, sphere_light) {
+  return {.title = "A sphere as a lamp",
+          .input = "distance from its centre, in radii",
+          .error = "relative error of the mean",
+          .source = "Pharr, Jakob and Humphreys 2016, Physically Based Rendering, chapter 14.2.2",
+          .places = by_factors(1.001, 1e9, 19),
+          .promised = {},
+          .methods = {{"methods/sphere_cone", "1 - cos as a difference"},
+                      {"methods/sphere_cone", "1 - cos as a difference, single precision", true}},
+          .statistic = Statistic::bias,
+          .measure = [](double distance) {
+            SceneMaker maker(*unturned_pose());
+            maker.ball({0, 0, 1}, 1 / distance, pt::gray(1), Body::none);
+            const Situation s = maker.patch(pt::gray(0.5), {0, 0, 1}).done();
+            const Mean mean =
+                mean_of(repeat<pt::direct_lights>(50, *sampler_seed(), s.scene, s.point, 1));
+            return mean.value.r / s.expected.r - 1;
           }};
 }
 

@@ -167,4 +167,19 @@ inline void under_a_lid(SceneMaker& maker) {
   maker.surface({{0.02, 0.01, 1e-3}, {0.25, 0, 0}, {0, 0.25, 0}}, pt::gray(0.5));
 }
 
+// A lamp with a surface of its own and, if it is hidden, a dark surface that is nearer by this part of
+// the way and larger.
+inline void lamp_behind_a_gap(SceneMaker& maker, double gap, bool is_hidden) {
+  const Rectangle shape = *rectangle_above(0.8, 0.2, 1);
+  maker.rectangle(shape, any_radiance(), Body::surface);
+  if (is_hidden) maker.surface(shape.scaled(1 - gap).part(-1, 2, -1, 2), pt::gray(0.5));
+}
+
+// A point light and, if it is hidden, a dark lid at this height above the point.
+inline void point_light_above_a_gap(SceneMaker& maker, double gap, bool is_hidden) {
+  maker.point_light(*real(0.5, 4) * *direction_above(1.4), any_radiance());
+  // Its diagonal is not above the point: a ray that meets just an edge may miss both triangles.
+  if (is_hidden) maker.surface({{0.2, 0.1, gap}, {2.5, 0, 0}, {0, 2.5, 0}}, pt::gray(0.5));
+}
+
 }  // namespace grader::check::direct_lights_inputs

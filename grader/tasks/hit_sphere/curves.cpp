@@ -53,5 +53,24 @@ CURVE(hit_sphere, huge) {
       }};
 }
 
+// A ray that passes the edge of the sphere at this distance, half of them outside.
+CURVE(hit_sphere, silhouette) {
+  return {.title = "Rays along the edge of a sphere",
+          .input = "distance of the ray from the edge, in radii",
+          .error = "share of rays that miss inside the edge, or hit outside",
+          .source = "the discriminant is a difference of nearly equal numbers",
+          .places = by_factors(0.1, 1e-15, 15),
+          .promised = {{0.1, kTouching}},
+          .methods = methods(),
+          .statistic = Statistic::mean,
+          .measure = [](double beside) {
+            const bool is_inside = *rc::gen::arbitrary<bool>();
+            const double half = is_inside ? std::sqrt(beside * (2 - beside)) : 0;
+            const Chord c = line_at({{}, 1}, *any_frame(), is_inside ? 1 - beside : 1 + beside,
+                                    half, *magnitude(0.1, 100), 1);
+            return call(c).has_value() == is_inside ? 0 : 1;
+          }};
+}
+
 }  // namespace
 }  // namespace grader::check
