@@ -66,6 +66,19 @@ std::string accuracy_text(const pt::Accuracy& accuracy, bool adaptive) {
                      bias.empty() ? off : bias);
 }
 
+// The settings that a label does not say already: "m = 1" of "s = 16, l = 8, m = 1" beside "lights, s = 16, l = 8".
+std::string beyond(const std::string& label, const std::string& settings) {
+  const std::string said = ", " + label + ",";
+  std::string rest;
+  for (std::size_t at = 0; at < settings.size();) {
+    const std::size_t end = std::min(settings.find(", ", at), settings.size());
+    const std::string part = settings.substr(at, end - at);
+    if (said.find(", " + part + ",") == said.npos) rest += (rest.empty() ? "" : ", ") + part;
+    at = end + 2;
+  }
+  return rest.empty() ? "" : rest + "; ";
+}
+
 // Draws the pictures of one figure, one after the other.
 class Artist {
  public:
@@ -172,9 +185,9 @@ class Artist {
   void describe(const Picture& picture, const Composed& composed, Shown& shown) {
     const measure::Spec spec = units(picture)[0].spec;
     const int from = picture.spec.path.from, to = picture.spec.path.to;
-    shown.facts =
-        fmt::format("{}; {} s{}", settings_text(spec, from, to), short_number(composed.sum.seconds),
-                    spec.ranges.size() > 1 ? " for all bounces together" : "");
+    shown.facts = fmt::format("{}{} s{}", beyond(shown.label, settings_text(spec, from, to)),
+                              short_number(composed.sum.seconds),
+                              spec.ranges.size() > 1 ? " for all bounces together" : "");
     measure::Spec whole = spec;
     whole.path.from = from;
     whole.path.to = to;
@@ -188,6 +201,7 @@ class Artist {
     enter("rays", short_number(1e-6 * static_cast<double>(composed.sum.total.rays)));
     enter("mean", fmt::format("{:.4f}", mean_luminance(composed.sum.film)));
     enter("triangles", std::to_string(composed.sum.primitives));
+    enter("name", plan_.scenes().short_name(picture.scene));
     if (spec.adaptive) {
       enter("batch", std::to_string(spec.adaptive->batch));
       enter("tolerance", fmt::format("{:g}", 100 * spec.adaptive->tolerance));

@@ -77,7 +77,7 @@ std::vector<std::string> number_names(const Figure& figure) {
   for (const Price& price : figure.prices) add(names, price.id, {".time", ".work"});
   for (const std::string& scene : figure.scenes) {
     if (figure.kind == "speedup") {
-      add(names, scene, {"", ".linear", ".tree", ".linear_tests", ".tests", ".triangles"});
+      add(names, scene, {"", ".linear", ".tree", ".linear_tests", ".tests", ".triangles", ".name"});
     } else {
       add(names, scene,
           {".samples", ".light_samples", ".bounces", ".seconds", ".surfaces", ".course",
@@ -85,6 +85,7 @@ std::vector<std::string> number_names(const Figure& figure) {
     }
   }
   for (const Picture& picture : figure.pictures) {
+    names.push_back(picture.id + ".name");
     add(names, picture.id,
         {".seconds",       ".samples",      ".rays",       ".mean",          ".average",
          ".median",        ".most",         ".ratio",      ".error",         ".factor",

@@ -188,9 +188,11 @@ std::string rest_text(const Answer& answer, const pt::Scene& scene) {
               ? fmt::format("Without a tree, {} surfaces one by one: {}\n", scene.primitives.size(),
                             times(*answer.without_tree))
               : fmt::format("A tree is needed: there are {} surfaces.\n", scene.primitives.size());
-  text += answer.smooth > 0 ? fmt::format("Smooth normals turn the surface in {} of the pixels.\n",
-                                          percent(answer.smooth))
-                            : "Smooth normals change no pixel.\n";
+  text +=
+      answer.smooth > 0
+          ? fmt::format("Smooth normals are turned by more than a degree in {} of the pixels.\n",
+                        percent(answer.smooth))
+          : "Smooth normals change no pixel.\n";
   return text;
 }
 
