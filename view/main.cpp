@@ -7,6 +7,7 @@
 #include "view/page.h"
 #include "view/server.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -79,10 +80,45 @@ Reply settled_picture(Child& child, const std::map<std::string, std::string>& se
   }
 }
 
+Reply settled_disk(Child& child, const std::map<std::string, std::string>& question) {
+  constexpr int kPasses = 8;
+  constexpr std::chrono::seconds kMost{5};
+  const auto start = std::chrono::steady_clock::now();
+  for (;;) {
+    const Reply reply = child.ask("disk", question);
+    const bool is_late = std::chrono::steady_clock::now() - start > kMost;
+    if (reply.state.at("passes") >= kPasses || !reply.state.at("goes_on") || is_late) return reply;
+  }
+}
+
 json as_text(const Reply& reply) {
   json text = reply.state;
   text["base64"] = grader::report::base64(reply.bytes);
   return text;
+}
+
+// The directions above a point, for the page: the point that it shows first. `of` are the words of the question about the pixel.
+json disk_of(const json& paths, std::map<std::string, std::string> of, Child& own,
+             Child* reference) {
+  const json& all = paths.at("paths");
+  const auto is_red = [](const json& path) { return !path.at("findings").empty(); };
+  auto path = std::ranges::find_if(all, is_red);
+  const int point =
+      path == all.end() ? 0 : std::max(path->at("findings")[0].at("bounce").get<int>() - 1, 0);
+  if (path == all.end()) path = all.begin();
+  if (path == all.end() || point >= static_cast<int>(path->at("bounces").size())) return {};
+  std::string met;
+  for (const json& number : path->at("bounces")[point].at("met")) {
+    if (!number.is_number()) return {};  // "nan"
+    met += (met.empty() ? "" : ",") + number.dump();
+  }
+  for (const char* word : {"adaptive", "show", "bounce", "eye", "target", "up"}) of.erase(word);
+  of["met"] = met;
+  of["point"] = std::to_string(point);
+  json disk{{"path", path - all.begin()}, {"point", point}};
+  disk["own"] = as_text(settled_disk(own, of));
+  if (reference != nullptr) disk["reference"] = as_text(settled_disk(*reference, of));
+  return disk;
 }
 
 void write_page(const Options& options, Child& own, Child* reference) {
@@ -99,6 +135,8 @@ void write_page(const Options& options, Child& own, Child* reference) {
   data["paths"] = own.ask("paths", of_pixel).state;
   if (reference != nullptr) data["reference_paths"] = reference->ask("paths", of_pixel).state;
   data["scene"] = own.ask("scene", of_picture).state;
+  const json disk = disk_of(data["paths"], of_pixel, own, reference);
+  if (!disk.is_null()) data["disk"] = disk;
   of_pixel.erase("samples");
   data["ray"] = own.ask("ray", of_pixel).state;
   data["depth"] = as_text(own.ask("depth", of_picture));

@@ -97,8 +97,8 @@ Options parse_options(int argc, const char* const* argv) {
       ->allow_extra_args(false)
       ->check(CLI::Range(16, 2048))
       ->type_name("W H");
-  app.add_option("-s,--samples", samples, "Paths of the pixel, default 16")
-      ->check(CLI::Range(1, 64));
+  app.add_option("-s,--samples", samples, "Samples of the pixel, default 16")
+      ->check(CLI::Range(1, 1024));
   app.add_option("-m,--bounces", bounces, "How often light may bounce, default 5")
       ->check(CLI::Range(0, 100));
   app.add_option("--port", options.port, "Port of 127.0.0.1; default: any")

@@ -33,8 +33,8 @@ std::string page_with(const nlohmann::json& data) {
     text.replace(at, 1, "\\u003c");
   }
   std::string script;
-  for (const std::string_view part :
-       {picture_js, scene_js, paths_js, tree_js, zoom_js, asking_js, keys_js, view_js}) {
+  for (const std::string_view part : {picture_js, scene_js, paths_js, tree_js, samples_js, disk_js,
+                                      zoom_js, asking_js, keys_js, view_js}) {
     script += part;
   }
   kainjow::mustache::data fields;

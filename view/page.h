@@ -17,6 +17,8 @@ extern const std::string_view picture_js;
 extern const std::string_view scene_js;
 extern const std::string_view paths_js;
 extern const std::string_view tree_js;
+extern const std::string_view samples_js;
+extern const std::string_view disk_js;
 extern const std::string_view zoom_js;
 extern const std::string_view asking_js;
 extern const std::string_view keys_js;

@@ -120,7 +120,7 @@ Server::Server(Served served)
   http_->Get("/", [this](const Request&, Response& response) {
     response.set_content(served_.page, "text/html; charset=utf-8");
   });
-  for (const char* what : {"scene", "picture", "exr", "paths", "tree", "ray", "depth"}) {
+  for (const char* what : {"scene", "picture", "exr", "paths", "disk", "tree", "ray", "depth"}) {
     http_->Get(std::string("/") + what, [this, what](const Request& request, Response& response) {
       answer(served_, what, request, response);
     });

@@ -72,6 +72,17 @@ now.paths.unwritten = unwritten;
 show_paths();
 return early === ',point,n,wo' && before.includes('throughput') && heads() === before;
 E2
+until_true 'the disk of the point holds the lamp, and less light than trace_path returns' <<'E2'
+const apart = [...document.querySelectorAll('#disk_balance td.differs')];
+return !document.getElementById('disk').hidden && disk.paths === now.paths && disk.own.passes > 5
+  && Math.max(...disk.own.floats.subarray(0, disk.own.side ** 2)) > 1
+  && apart.length === 1 && apart[0].textContent.endsWith(' times') && apart[0].parentElement.firstChild.textContent === 'trace_path';
+E2
+pointer "$(element '#strip')" 4 0 click
+until_true 'a click on a bar chooses the path of the sample' <<'E2'
+return now.which === 4 && document.getElementById('which').value === '5' && document.getElementById('samples_say').textContent.startsWith('8 samples');
+E2
+script >/dev/null <<<"document.getElementById('red').click();"
 points=$(element '#points')
 post "$session/element/$points/value" '{"text": "\uE015"}' >/dev/null
 expect 'an arrow key in the table chooses another point' <<'E2'
@@ -166,7 +177,7 @@ const { prototype } = CanvasRenderingContext2D, { putImageData } = prototype, { 
 window.differences = new Map();
 prototype.putImageData = function (image, ...at) {
   putImageData.call(this, image, ...at);
-  if (image.height === 1 || controls.from.value !== 'difference' || now.pictures.own === own) return;
+  if (image.width !== 96 || controls.from.value !== 'difference' || now.pictures.own === own) return;
   const count = image.data.filter((value) => value !== 247 && value !== 255).length, { samples } = now.pictures.own;
   window.differences.set(samples, Math.max(count, window.differences.get(samples) ?? 0));
 };
@@ -181,6 +192,21 @@ until_true 'and not zero where a mistake makes one' <<<"return [...window.differ
 script >/dev/null <<<"set('from', 'both');"
 keys 'c'
 until_true 'C again hides it' <<<"return document.getElementById('beside').hidden;"
+keys 'm'
+until_true 'M hides the other paths' <<<"return !document.getElementById('all_paths').checked;"
+script >/dev/null <<'E2'
+controls.is_adaptive.checked = true;
+controls.is_adaptive.dispatchEvent(new Event('change', { bubbles: true }));
+E2
+until_true 'with adaptive sampling, the samples are those of adaptive_pixel' <<'E2'
+return now.paths.samples % 32 === 0 && now.paths.values.length === now.paths.samples && now.paths.paths.length === Math.min(64, now.paths.samples)
+  && document.getElementById('samples_say').textContent.startsWith(`adaptive_pixel stopped after ${now.paths.samples} of`);
+E2
+script >/dev/null <<'E2'
+controls.is_adaptive.checked = false;
+controls.is_adaptive.dispatchEvent(new Event('change', { bubbles: true }));
+E2
+until_true 'and without it those that were asked for' <<<"return now.paths.values.length === 8;"
 keys 't'
 until_true 'T shows the tree, and the boxes that hit_bvh tests for the ray of the pixel' <<'E2'
 return Boolean(now.tree) && !document.getElementById('ray').hidden && now.ray.tests.length > 4
@@ -259,7 +285,8 @@ go "file://$folder/export.html"
 until_true 'an exported page shows its picture and its paths without a server' <<'E2'
 return document.getElementById('stage').dataset.ready === 'yes' && document.getElementById('picture').width === 96
   && document.querySelectorAll('#own tbody tr').length > 0 && document.getElementById('sum').className === 'same'
-  && !document.getElementById('ray').hidden && depth_of(now.camera).floats.length === 96 * 72;
+  && !document.getElementById('ray').hidden && !document.getElementById('samples').hidden && !document.getElementById('disk').hidden
+  && document.getElementById('disk_own_picture').width > 100 && disk.own.direct.disk[2] > 1 && depth_of(now.camera).floats.length === 96 * 72;
 E2
 # The refused answer of the crash is in the console; nothing else is.
 script >/dev/null <<<''

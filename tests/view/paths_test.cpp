@@ -1,6 +1,7 @@
 // The paths of pixels as the view records them: against closed forms, and against contracts. The program is linked with the
 // reference, with a mistake, or with right variants; VIEW_BREAKS is the promise that a red cell has to name, "none", or
 // "reference", VIEW_TRACE_PATH the choice for that task, and VIEW_STEP the distance of the pixels.
+#include "grader/check/scenes/closed_forms.h"
 #include "grader/results/promises.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -9,6 +10,7 @@
 #include "pt/tasks/camera_ray.h"
 #include "view/worker/answer.h"
 #include "view/worker/check.h"
+#include "view/worker/disk.h"
 #include "view/worker/json.h"
 #include "view/worker/path.h"
 #include "view/worker/picture.h"
@@ -201,6 +203,161 @@ TEST(Paths, have_the_throughput_of_the_furnace) {
     }
   }
   EXPECT_GE(longest, 4U);
+}
+
+// The disk of the first point of the ray through the middle of a pixel, after some passes.
+Disk disk_at(const Room& room, Query query, int x, int y) {
+  query["samples"] = "1";
+  const PixelPaths pixel = room.paths(query, x, y);
+  Disk disk = begin_disk(pixel.paths.at(0).bounces.at(0).point, settings_of(query), 0);
+  while (disk.passes < 12) improve(disk, room.loaded.scene, std::chrono::milliseconds(50));
+  return disk;
+}
+
+bool agrees(const Mean& mean, double expected) {
+  return std::abs(mean.mean - expected) <= 6 * mean.error() + 1e-9;
+}
+bool agrees(const Balance& balance) {
+  const double error = std::hypot(balance.returned.error(), balance.disk.error());
+  return std::abs(balance.returned.mean - balance.disk.mean) <= 6 * error + 1e-9;
+}
+
+// The integral over the disk of a number that layers_of has per area of it.
+double integral(const Disk& disk, int layer) {
+  const std::vector<float> layers = layers_of(disk);
+  const double area = std::pow(2.0 / kDiskSide, 2);
+  double sum = 0;
+  for (std::size_t i = 0; i < disk.cells.size(); ++i) {
+    sum += disk.cells[i].inside * area * layers[layer * disk.cells.size() + i];
+  }
+  return sum;
+}
+
+// In a room of emission 1 and albedo 1/2, 1/2 is reflected at once, and 1/2 + ... + 1/32 after five bounces.
+TEST(Disks, hold_the_light_of_the_furnace) {
+  if (!is_reference()) GTEST_SKIP();
+  Query query = kQuery;
+  query["camera"] = "file";
+  query["hemisphere"] = "1";
+  const Disk disk = disk_at(Room("furnace.dae"), query, 40, 30);
+  EXPECT_TRUE(agrees(disk.direct.disk, 0.5)) << disk.direct.disk.mean;
+  EXPECT_TRUE(agrees(disk.all.disk, 1 - 1.0 / 32)) << disk.all.disk.mean;
+  EXPECT_TRUE(agrees(disk.direct));
+  EXPECT_TRUE(agrees(disk.all));
+  EXPECT_LT(disk.all.disk.error(), 0.01);
+  for (const DiskCell& cell : disk.cells) {
+    if (cell.samples == 0) continue;
+    EXPECT_TRUE(close(cell.emission, pt::gray(cell.samples)));
+    EXPECT_TRUE(cell.inside == 0 || close(cell.density, 1 / pt::kPi));
+  }
+  EXPECT_NEAR(disk.pdf_sum, 1, 1e-9);
+  EXPECT_NEAR(integral(disk, 9), 1, 2e-3);
+  EXPECT_NEAR(integral(disk, 10), 1, 0.01);
+  EXPECT_NEAR(integral(disk, 11), 1, 0.05);  // of uniform directions many are at the rim
+}
+
+// The lamp's projected solid angle, by Lambert's formula; and render finds the same light in the pixel.
+TEST(Disks, hold_a_lamp_of_known_size) {
+  if (!is_reference()) GTEST_SKIP();
+  const Room room("box_spheres.dae");
+  const auto& lamp = std::get<pt::RectangleLight>(room.loaded.scene.lights.at(0));
+  Query query = kQuery;
+  for (const bool hemisphere : {false, true}) {
+    if (hemisphere) query["hemisphere"] = "1";
+    const Disk disk = disk_at(room, query, 48, 12);
+    const auto corner = [&](double a, double b) { return lamp.center + a * lamp.u + b * lamp.v; };
+    const double size = grader::check::cosine_of_polygon(
+        {corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)}, disk.point.p,
+        disk.point.n);
+    EXPECT_NEAR(integral(disk, 0), size * lamp.radiance.r, 0.02 * size * lamp.radiance.r);
+    const double light = luminance(disk.point.albedo / pt::kPi * lamp.radiance) * size;
+    EXPECT_TRUE(agrees(disk.direct.disk, light)) << disk.direct.disk.mean << " for " << light;
+    EXPECT_LT(disk.direct.disk.error(), 0.02 * light);
+    EXPECT_TRUE(agrees(disk.direct.returned, light)) << disk.direct.returned.mean;
+    query["show"] = "direct";
+    query["samples"] = "64";
+    query["light_samples"] = "64";
+    EXPECT_NEAR(luminance(room.paths(query, 48, 12).mean), light, 0.1 * light);
+    query["light_samples"] = "1";
+  }
+}
+
+// No ray meets a point light, and none comes from below.
+TEST(Disks, add_light_without_a_surface) {
+  if (!is_reference()) GTEST_SKIP();
+  const Disk disk = disk_at(Room("point_light.dae"), kQuery, 48, 12);
+  EXPECT_GT(disk.direct.returned.mean, 0.01);
+  EXPECT_NEAR(disk.direct.disk.mean, disk.direct.returned.mean, 1e-9);
+  EXPECT_TRUE(agrees(disk.all));
+  EXPECT_EQ(disk.by_bsdf.below, 0);
+}
+
+// What a right task returns is what the disk holds; a mistake in a weight shows.
+TEST(Disks, balance_where_tasks_are_right) {
+  const Room room("box_spheres.dae");
+  for (const auto& [x, y] : {std::pair(48, 12), {20, 40}, {70, 30}}) {
+    const Disk disk = disk_at(room, kQuery, x, y);
+    if (breaks() == "none" || is_reference()) {
+      EXPECT_TRUE(agrees(disk.direct)) << x;
+      EXPECT_TRUE(agrees(disk.all)) << x;
+      EXPECT_NEAR(disk.pdf_sum, 1, 1e-3);
+      EXPECT_LT(elsewhere(disk), 0.02);
+    }
+    if (breaks() == "a_sample_knows_its_own_f_and_pdf") {
+      EXPECT_GT(elsewhere(disk), 0.1) << x;  // uniform, says diffuse_pdf
+    }
+    if (breaks() == "weighs_by_the_cosine") {
+      EXPECT_TRUE(agrees(disk.direct)) << x;
+      EXPECT_FALSE(agrees(disk.all)) << x;
+    }
+  }
+}
+
+TEST(Disks, refuse_points_that_are_none) {
+  Answers answers(kScenes / "box_spheres.dae", false);
+  for (const char* met : {"", "1,2", "0,0,0,0,0,1,1,0,0,1,99999", "0,0,0,0,0,1,1,0,0,1,-1",
+                          "0,0,0,0,0,nan,1,0,0,1,0", "0,0,0,0,0,1,1,0,0,1,0,5"}) {
+    EXPECT_THROW(answers.answer("disk", {{"met", met}, {"point", "0"}}), pt::Error) << met;
+  }
+  EXPECT_THROW(answers.answer("disk", {{"met", "0,0,0,0,0,1,1,0,0,1,0"}}), pt::Error);
+}
+
+// Values are there of all samples, paths of 64 of them.
+TEST(Samples, have_values_beyond_the_paths) {
+  const Room room("box_spheres.dae");
+  Query query = kQuery;
+  query["samples"] = "100";
+  const PixelPaths whole = room.paths(query, 48, 12);
+  query["first"] = "64";
+  const PixelPaths rest = room.paths(query, 48, 12);
+  EXPECT_EQ(whole.values.size(), 100U);
+  EXPECT_EQ(whole.values, rest.values);
+  EXPECT_EQ(whole.mean, rest.mean);
+  ASSERT_EQ(whole.paths.size(), 64U);
+  ASSERT_EQ(rest.paths.size(), 36U);
+  for (int i = 0; i < 36; ++i) EXPECT_EQ(rest.paths[i].value, whole.values[64 + i]);
+}
+
+// adaptive_pixel takes the samples, as in ./run render -a.
+TEST(Samples, are_those_of_adaptive_sampling) {
+  const Room room("box_spheres.dae");
+  Query query = kQuery;
+  query.erase("samples");
+  query["adaptive"] = "256,8,0.1";
+  query["x"] = "48";
+  query["y"] = "12";
+  const Settings settings = settings_of(query);
+  const PixelPaths pixel = room.paths(query, 48, 12);
+  const pt::View view = view_of(room.loaded, settings);
+  const pt::RenderedPixel rendered =
+      render_pixel(view, 48, 12, {1, settings.render.adaptive, settings.render.seed, 1});
+  EXPECT_EQ(pixel.samples, rendered.pixel.samples);
+  EXPECT_EQ(pixel.values.size(), static_cast<std::size_t>(pixel.samples));
+  EXPECT_EQ(pixel.mean, rendered.pixel.mean);
+  EXPECT_GT(pixel.samples, 8);
+  if (is_reference()) {
+    EXPECT_LT(pixel.samples, 256);
+  }
 }
 
 // The mean over all pixels of the furnace is that of its closed form, 2 (1 - 2^-(m + 1)), within six standard errors.

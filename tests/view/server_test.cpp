@@ -76,7 +76,8 @@ TEST_F(ServerTest, answers_with_the_token) {
 
 TEST_F(ServerTest, refuses_whoever_has_no_token_or_comes_from_elsewhere) {
   const std::string port = std::to_string(port_);
-  for (const char* place : {"/", "/scene", "/picture", "/exr", "/paths", "/depth", "/nothing"}) {
+  for (const char* place :
+       {"/", "/scene", "/picture", "/exr", "/paths", "/disk", "/depth", "/nothing"}) {
     const std::string path = place;
     for (const std::string query :
          {"", "?token=", "?token=00112233445566778899aabbccddeefe", "?token=00112233445566778899",

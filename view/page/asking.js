@@ -21,7 +21,7 @@ function complain(what, sentence) {
 
 // What was asked for once, and not again with every change, is forgotten with the next change.
 function forget_single_troubles() {
-  for (const what of ["exr", "tree", "ray", "depth", "scene"]) complain(what, "");
+  for (const what of ["exr", "tree", "ray", "depth", "disk", "scene"]) complain(what, "");
 }
 
 const without = (words, names) => Object.fromEntries(Object.entries(words).filter(([name]) => !names.includes(name)));
@@ -84,7 +84,8 @@ function words_of_eye() {
 // The settings that differ from the usual ones, as words of a request.
 function query() {
   const words = { w: data.settings.w, h: data.settings.h, bounces: controls.bounces.value, ...words_of_eye() };
-  for (const name of ["seed", "adaptive", "whole"]) if (data.settings[name]) words[name] = data.settings[name];
+  for (const name of ["seed", "whole"]) if (data.settings[name]) words[name] = data.settings[name];
+  if (controls.is_adaptive.checked) words.adaptive = words_of_adaptive();
   for (const [name, usual] of Object.entries(kDefaults)) {
     if (name !== "camera" && controls[name].value !== usual) words[name] = controls[name].value;
   }
@@ -220,13 +221,14 @@ async function watch_saves() {
 const walk = one_at_a_time(async () => {
   if (!data.live || !now.pixel) return;
   by_id("paths").setAttribute("aria-busy", "true");
-  const words = { ...query_of_pixel(), samples: by_id("count").value };
+  if (now.which < 0) now.first = 0;
+  const words = { ...query_of_pixel(), samples: by_id("count").value, first: now.first };
   try {
     const paths = await ask("paths", words);
     const reference = data.reference ? await ask("paths", { ...words, from: "reference" }) : null;
     [now.paths, now.reference] = [paths, reference];
     if (now.which < 0) show_first_red();
-    now.which = Math.min(now.which, now.paths.paths.length - 1);
+    now.which = Math.max(Math.min(now.which, now.paths.paths.length - 1), 0);
     await find_ray();
     await find_depth();
   } catch {

@@ -36,7 +36,7 @@ function move_pixel([right, up], length) {
 }
 
 function on_key(event) {
-  if (event.target.matches("input, select") || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.target.matches("input:not([type=checkbox]), select") || event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.toLowerCase();
   if (kMoves[key]) {
     const [right, up] = kMoves[key];
@@ -46,6 +46,7 @@ function on_key(event) {
   else if (key === "z") zoom_by(event.shiftKey ? -1 : 1);
   else if (key === "e" && data.live) change_exposure(event.shiftKey ? -0.5 : 0.5);
   else if (key === "t" && data.live) show_tree();
+  else if (key === "m") by_id("all_paths").click();
   else if (key === "," || key === ".") show_level(key === "," ? -1 : 1);
   else if (key === "n" || key === "p") show_test(key === "n" ? 1 : -1);
   else if (key === "[" || key === "]") choose_path(now.which + (key === "[" ? -1 : 1));

@@ -18,7 +18,8 @@ const now = {
   paths: data.paths ?? null,
   reference: data.reference_paths ?? null,
   ray: data.ray ?? null,
-  which: -1,  // not chosen yet
+  which: -1,  // not chosen yet; counts from the first path that is known
+  first: 0,   // that is wanted
   point: 0,
   pictures: {},  // that are shown, by whom
   latest: {},    // the last answers
@@ -128,6 +129,7 @@ function show_lines() {
   else if (now.tree && camera) draw_boxes(context, camera, now.tree.nodes, Number(by_id("level").value));
   if (path && camera && now.scene) {
     const size = Math.hypot(...plus(now.scene.max, now.scene.min, -1));
+    draw_all_paths(context, camera, now.paths, now.which);
     draw_path(context, camera, path, now.paths.shapes, size);
     if (now.has_frame && path.bounces[now.point]) draw_frame(context, camera, path.bounces[now.point], 0.05 * size);
   }
@@ -159,11 +161,7 @@ function choose_pixel(pixel) {
 const is_pixel_here = () => now.pixel !== null && is_same(now.pixel_from, words_of_eye());
 
 function choose_path(which) {
-  const count = now.paths ? now.paths.paths.length : 0;
-  if (count === 0) return;
-  now.which = (which + count) % count;
-  now.point = 0;
-  show_paths();
+  if (now.paths) choose_sample(now.paths.first + which);
 }
 
 function show_reference(path) {
@@ -203,12 +201,14 @@ function show_paths() {
   const path = paths && paths.paths[now.which];
   by_id("walked").hidden = !path;
   show_lines();
+  improve_disk();
   if (!path) return show_no_paths();
   by_id("hint").hidden = true;
   by_id("pixel").textContent = `Paths of pixel x ${paths.x}, y ${paths.y}: mean ${paths.mean.map(shown).join(", ")}`;
-  by_id("which").value = now.which + 1;
-  by_id("which").max = paths.paths.length;
-  by_id("of").textContent = `of ${paths.paths.length}`;
+  by_id("which").value = paths.first + now.which + 1;
+  by_id("which").max = paths.values.length;
+  by_id("of").textContent = `of ${paths.values.length}`;
+  show_samples();
   by_id("red").hidden = !paths.paths.some((each) => each.findings.length);
   const [sentence, kind] = sentence_of_sum(path, paths.unwritten);
   const emitted = path.emission.some((c) => c > 0) ? ` The surface also emits ${path.emission.map(shown).join(", ")} towards the camera.` : "";
@@ -278,11 +278,13 @@ function show_export() {
 // What the controls beside their values say.
 function show_settings() {
   const { show, bounces, exposure } = controls;
+  controls.shown.querySelector("[value=samples]").hidden = !controls.is_adaptive.checked;
   const k = bounces.value;
   bounces.disabled = show.value === "direct";
   by_id("bounced").textContent = { full: `up to ${k}`, direct: "1", indirect: `2 to ${k}`, bounce: `only ${k}` }[show.value];
   for (const group of by_id("controls").querySelectorAll("details")) {
-    const is_changed = Object.entries(kDefaults).some(([name, usual]) => controls[name].value !== usual && group.contains(controls[name]));
+    const is_adaptive = controls.is_adaptive.checked && group.contains(controls.is_adaptive);
+    const is_changed = is_adaptive || Object.entries(kDefaults).some(([name, usual]) => controls[name].value !== usual && group.contains(controls[name]));
     group.firstElementChild.classList.toggle("changed", is_changed);
     group.firstElementChild.title = is_changed ? "It has settings that are not the usual ones." : "";
   }
@@ -300,6 +302,7 @@ function change_exposure(step) {
   controls.exposure.value = Number(controls.exposure.value) + step;
   show_settings();
   show_picture();
+  show_disk();
 }
 
 const kMinBounces = 10;  // at the end of the slider
@@ -313,7 +316,7 @@ function begin_controls() {
     const control = settings[name] === "normals" ? controls.shown : controls[name];
     control.value = settings[name] ?? control.value;
   }
-  controls.shown.querySelector("[value=samples]").hidden = !settings.adaptive;
+  begin_adaptive();
   show_settings();
 }
 
@@ -324,6 +327,8 @@ function begin() {
   by_id("count").value = data.settings.samples;
   document.querySelector(".beside").hidden = !data.reference;
   now.pixel_from = words_of_eye();
+  begin_samples();
+  begin_disk();
   document.addEventListener("keydown", on_key);
   window.addEventListener("resize", () => {
     fit_stage();
@@ -332,11 +337,14 @@ function begin() {
   by_id("previous").addEventListener("click", () => choose_path(now.which - 1));
   by_id("next").addEventListener("click", () => choose_path(now.which + 1));
   by_id("red").addEventListener("click", next_red);
-  by_id("which").addEventListener("change", () => choose_path(Number(by_id("which").value) - 1));
+  by_id("which").addEventListener("change", () => choose_sample(Number(by_id("which").value) - 1));
   by_id("test").addEventListener("input", () => show_test(0));
   if (!data.live) return show_export();
   listen_to_pointer();
-  by_id("count").addEventListener("change", walk);
+  by_id("count").addEventListener("change", () => {
+    now.which = -1;
+    walk();
+  });
   by_id("controls").addEventListener("change", ({ target }) => {
     if (target.name === "zoom") return zoom_to(Number(target.value), place_to_zoom());
     show_settings();

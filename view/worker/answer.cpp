@@ -110,11 +110,7 @@ Answer Answers::picture(const Query& query) {
 }
 
 Answer Answers::paths(const Query& query) {
-  constexpr int kMostPaths = 64;
   Settings settings = settings_of(query);
-  if (settings.render.samples > kMostPaths) {
-    throw pt::Error("'samples' is at most 64 where paths are shown");
-  }
   settings.render.show =
       settings.render.show == pt::Show::normals ? pt::Show::full : settings.render.show;
   require_light(settings);
@@ -123,6 +119,8 @@ Answer Answers::paths(const Query& query) {
   PixelPaths pixel = paths_of_pixel(view, settings);
   check_calls(view, exact_, pixel, settings);
   json state = to_json(pixel);
+  state["first"] = settings.first;
+  state["adaptive"] = query.contains("adaptive") ? query.at("adaptive") : "";
   state["x"] = settings.x;
   state["y"] = settings.y;
   state["camera"] = to_json(view.camera);
@@ -130,6 +128,40 @@ Answer Answers::paths(const Query& query) {
   state["survival"] = settings.render.path.survival;
   state["unwritten"] = pt::todo_list();
   return {state, ""};
+}
+
+// `met` is the hit of a point as paths tell it, `point` how many points of its path come before it.
+Answer Answers::disk(const Query& query) {
+  Query of_settings = query;
+  const auto taken = [&](const char* name) {
+    const auto found = of_settings.find(name);
+    const std::string word = found == of_settings.end() ? "" : found->second;
+    of_settings.erase(name);
+    return word;
+  };
+  const std::vector<double> met = numbers_of("met", taken("met"), 11);
+  const double before = numbers_of("point", taken("point"), 1)[0];
+  Settings settings = settings_of(of_settings);
+  require_light(settings);
+  trace_with(settings);
+  if (!disk_ || disk_query_ != query) {
+    const int primitive = static_cast<int>(std::clamp(met[10], -1.0, 1e9));
+    if (primitive < 0 || primitive >= loaded_.scene.primitives.size()) {
+      throw pt::Error("the scene has no such primitive as the last number of 'met'");
+    }
+    const pt::Ray ray{{met[0], met[1], met[2]}, {met[3], met[4], met[5]}};
+    const pt::Hit hit{met[6], {met[7], met[8], met[9]}, primitive};
+    if (one_thread_) settings.render.threads = 1;
+    disk_ = std::make_unique<Disk>(begin_disk(surface_point(loaded_.scene, ray, hit), settings,
+                                              static_cast<int>(std::clamp(before, 0.0, 100.0))));
+    disk_query_ = query;
+  }
+  const bool goes_on = improve(*disk_, loaded_.scene, kSlice);
+  nlohmann::json state = to_json(*disk_);
+  state["goes_on"] = goes_on;
+  const std::vector<float> layers = layers_of(*disk_);
+  const auto* bytes = reinterpret_cast<const char*>(layers.data());
+  return {std::move(state), std::string(bytes, sizeof(float) * layers.size())};
 }
 
 Answer Answers::tree(const Query& query) {
@@ -176,6 +208,7 @@ Answer Answers::answer(const std::string& what, const Query& query) {
   if (what == "scene") return scene(query);
   if (what == "picture") return picture(query);
   if (what == "paths") return paths(query);
+  if (what == "disk") return disk(query);
   if (what == "tree") return tree(query);
   if (what == "ray") return ray(query);
   if (what == "depth") return depth(query);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "view/worker/disk.h"
 #include "view/worker/picture.h"
 
 #include <memory>
@@ -29,6 +30,7 @@ class Answers {
   void require_light(const Settings& settings) const;
   Answer picture(const Query& query);
   Answer paths(const Query& query);
+  Answer disk(const Query& query);
   Answer scene(const Query& query);
   Answer tree(const Query& query);
   Answer ray(const Query& query);
@@ -41,6 +43,8 @@ class Answers {
   std::optional<std::pair<pt::Engine, int>> traced_with_;
   std::unique_ptr<Picture> picture_;
   Query picture_query_;
+  std::unique_ptr<Disk> disk_;
+  Query disk_query_;
 };
 
 }  // namespace view

@@ -1,3 +1,4 @@
+#include "pt/render/pixel_record.h"
 #include "view/worker/check.h"
 
 namespace view {
@@ -57,26 +58,28 @@ void check_point(const pt::View& view, const Settings& settings, pt::Vec2 at,
 }  // namespace
 
 void check_camera(const pt::View& view, const Settings& settings, PixelPaths& pixel) {
-  std::size_t rays = 0;
-  for (const pt::Call& call : pixel.calls) rays += call.name == "camera_ray";
-  const std::size_t samples = pixel.paths.size();
-  if (samples != static_cast<std::size_t>(settings.render.samples)) {
+  const bool is_adaptive = settings.render.adaptive.has_value();
+  const std::size_t samples = pixel.values.size();
+  if (!is_adaptive && samples != static_cast<std::size_t>(settings.render.samples)) {
     add(pixel.findings, "estimate_pixel", "takes_the_samples_asked_for",
         std::to_string(samples) + " samples were taken");
   }
   pt::Rgb sum;
-  for (const Path& path : pixel.paths) sum += is_finite(path.value) ? path.value : pt::Rgb{};
+  for (const pt::Rgb& value : pixel.values) sum += pt::fits_float(value) ? value : pt::Rgb{};
   if (samples > 0 && !close(sum / static_cast<double>(samples), pixel.mean)) {
-    add(pixel.findings, "estimate_pixel", "averages_the_radiance",
+    add(pixel.findings, is_adaptive ? "adaptive_pixel" : "estimate_pixel",
+        is_adaptive ? "returns_the_mean_of_all_samples" : "averages_the_radiance",
         "the result is not the mean of the samples");
   }
-  if (rays != samples) return;  // it is not known which ray belongs to which sample
-  std::size_t next = 0;
+  std::vector<pt::Ray> rays;
   for (const pt::Call& call : pixel.calls) {
-    if (call.name != "camera_ray") continue;
-    Path& path = pixel.paths[next++];
-    check_ray(view.camera, path.at, std::any_cast<pt::Ray>(call.out), path.findings);
-    check_point(view, settings, path.at, path.findings);
+    if (call.name == "camera_ray") rays.push_back(std::any_cast<pt::Ray>(call.out));
+  }
+  if (rays.size() != samples) return;  // it is not known which ray belongs to which sample
+  for (std::size_t i = 0; i < pixel.paths.size(); ++i) {
+    Path& path = pixel.paths[i];
+    check_ray(view.camera, path.at, rays[settings.first + i], path.findings);
+    if (!is_adaptive) check_point(view, settings, path.at, path.findings);
   }
 }
 

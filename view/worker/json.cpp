@@ -29,12 +29,24 @@ json to_json(const Direct& direct) {
           {"draws", std::move(draws)}};
 }
 
+// The hit at this point, for a question about it (Answers::disk).
+json met_of(const Bounce& bounce) {
+  const pt::Vec3 o = bounce.met_by.origin, d = bounce.met_by.direction, n = bounce.met.n;
+  json numbers = json::array();
+  for (const double number : {o.x, o.y, o.z, d.x, d.y, d.z, bounce.met.t, n.x, n.y, n.z}) {
+    numbers.push_back(view::to_json(number));
+  }
+  numbers.push_back(bounce.met.primitive);
+  return numbers;
+}
+
 json to_json(const Bounce& bounce) {
   const pt::SurfacePoint& point = bounce.point;
   json drawn = json::array();
   for (const double xi : bounce.drawn) drawn.push_back(view::to_json(xi));
   json result{{"p", view::to_json(point.p)},
               {"primitive", bounce.primitive},
+              {"met", met_of(bounce)},
               {"n", view::to_json(point.n)},
               {"wo", view::to_json(point.wo)},
               {"x", view::to_json(point.frame.x)},
@@ -99,7 +111,11 @@ json to_json(pt::Rgb color) { return {to_json(color.r), to_json(color.g), to_jso
 json to_json(const PixelPaths& pixel) {
   json paths = json::array();
   for (const Path& path : pixel.paths) paths.push_back(to_json(path));
+  json values = json::array();
+  for (const pt::Rgb& value : pixel.values) values.push_back(to_json(value));
   return {{"mean", to_json(pixel.mean)},
+          {"samples", pixel.samples},
+          {"values", std::move(values)},
           {"paths", std::move(paths)},
           {"findings", to_json(pixel.findings)}};
 }

@@ -35,6 +35,8 @@ struct Direct {
 struct Bounce {
   pt::SurfacePoint point;
   int primitive = -1;
+  pt::Ray met_by;                    // the ray that met the surface here, and
+  pt::Hit met;                       // where
   std::vector<Direct> direct;        // one, if the task works by paths
   std::vector<double> drawn;         // random numbers before the direction, or before the end
   std::vector<pt::BsdfSample> next;  // as above
@@ -70,14 +72,22 @@ struct Path {
 
 // All samples of a pixel.
 struct PixelPaths {
-  pt::Rgb mean;  // as estimate_pixel returned it
+  pt::Rgb mean;     // as estimate_pixel or adaptive_pixel returned it
+  int samples = 0;  // that adaptive_pixel says it took; else those asked for
   std::vector<pt::Call> calls;
-  std::vector<Path> paths;
+  std::vector<pt::Rgb> values{};    // of every sample
+  std::vector<Path> paths;          // of at most kMostPaths of them, from settings.first on
   std::vector<Finding> findings{};  // that belong to no path
 };
 
-// Traces the samples of a pixel again, with the random numbers of ./run render, and keeps all calls.
+inline constexpr int kMostPaths = 64;
+
+// Traces the samples of a pixel again, with the random numbers of ./run render, and keeps all calls. With adaptive sampling
+// adaptive_pixel takes the samples.
 PixelPaths paths_of_pixel(const pt::View& view, const Settings& settings);
+
+// One call of direct_lights or direct_hemisphere, which is calls[at], with the calls that it made.
+Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std::size_t at);
 
 // The parts of a path, one after the other in double, as trace_path adds them up.
 pt::Rgb sum_of_parts(const Path& path);

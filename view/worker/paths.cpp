@@ -1,6 +1,7 @@
 #include "pt/render/bounces_apart.h"
 #include "pt/render/common_radiance.h"
 #include "pt/render/pixel_record.h"
+#include "pt/tasks/adaptive_pixel.h"
 #include "pt/tasks/estimate_pixel.h"
 #include "view/worker/path.h"
 
@@ -13,8 +14,9 @@ namespace view {
 
 namespace {
 
-// The paths of this thread's pixel while they are recorded.
+// This thread's pixel while it is recorded, and the first sample whose path is kept.
 thread_local PixelPaths* recording = nullptr;
+thread_local int first_kept = 0;
 
 // The numbers that take a sampler from one state to the other; none if they are more than a few.
 std::vector<double> numbers_between(const pt::Sampler::State& from, const pt::Sampler::State& to) {
@@ -68,27 +70,6 @@ Draw hemisphere_draw(const pt::Scene& scene, const pt::SurfacePoint& point, cons
   return draw;
 }
 
-Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std::size_t at) {
-  const auto [of, point, samples] = in<const pt::Scene*, pt::SurfacePoint, int>(calls[at]);
-  Direct direct{calls[at].name, samples, out<pt::Rgb>(calls[at]), true, {}};
-  for (std::size_t i = at + 1; i < calls[at].end; ++i) {
-    const pt::Call& call = calls[i];
-    direct.plain = direct.plain && call.name != "diffuse_sample";
-    if (call.name == "sample_light") direct.draws.push_back(light_draw(scene, point, call));
-    if (call.name == "closest") direct.draws.push_back(hemisphere_draw(scene, point, call));
-    if (call.name == "occluded" && !direct.draws.empty()) {
-      Draw& draw = direct.draws.back();
-      const pt::Ray ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
-      // A ray in another direction does not ask about this draw.
-      if (draw.was_traced || !(length(normalize(ray.direction) - draw.sample.wi) < 1e-3)) continue;
-      draw.ray = ray;
-      draw.was_traced = true;
-      draw.is_hidden = out<bool>(call);
-    }
-  }
-  return direct;
-}
-
 Bounce* bounce_at(Path& path, pt::Vec3 p) {
   for (auto bounce = path.bounces.rbegin(); bounce != path.bounces.rend(); ++bounce) {
     if (bounce->point.p == p) return &*bounce;
@@ -137,6 +118,8 @@ void arrange(const pt::Scene& scene, Path& path, std::size_t first, const pt::Sa
         Bounce next;
         next.point = surface_point(scene, ray, *hit);
         next.primitive = hit->primitive;
+        next.met_by = ray;
+        next.met = *hit;
         path.bounces.push_back(next);
       }
     }
@@ -194,6 +177,8 @@ Path walk(const pt::Scene& scene, const pt::Ray& ray, const pt::PathSettings& se
     path.bounces.emplace_back();
     path.bounces[0].point = point;
     path.bounces[0].primitive = hit->primitive;
+    path.bounces[0].met_by = ray;
+    path.bounces[0].met = *hit;
     if (settings.from <= 0) path.emission = point.emission;
     pt::PathParts parts;
     if (settings.to >= 1) parts = trace_path_in_parts(scene, point, settings, sampler);
@@ -220,8 +205,9 @@ pt::Rgb added(const std::vector<pt::Rgb>& parts) {
 // Keeps calls of the tasks between a pixel and its paths, as camera_ray.
 class Recording {
  public:
-  explicit Recording(PixelPaths& pixel) {
+  Recording(PixelPaths& pixel, int first) {
     recording = &pixel;
+    first_kept = first;
     pt::recorder.calls = &pixel.calls;
   }
   ~Recording() {
@@ -232,7 +218,45 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
 };
 
+// One sample of the pixel that is recorded.
+pt::Rgb sample(PixelPaths& pixel, const pt::Scene& scene, const pt::Ray& ray,
+               const pt::PathSettings& settings, pt::Sampler& sampler) {
+  const int number = static_cast<int>(pixel.values.size());
+  pt::Rgb value;
+  if (number >= first_kept && number < first_kept + kMostPaths) {
+    pixel.paths.push_back(walk(scene, ray, settings, sampler));
+    value = pixel.paths.back().value;
+  } else {
+    std::vector<pt::Call>* const outer = std::exchange(pt::recorder.calls, nullptr);
+    value = common_radiance(scene, ray, settings, sampler);
+    pt::recorder.calls = outer;
+  }
+  pixel.values.push_back(value);
+  return value;
+}
+
 }  // namespace
+
+Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std::size_t at) {
+  const auto [of, point, samples] = in<const pt::Scene*, pt::SurfacePoint, int>(calls[at]);
+  Direct direct{calls[at].name, samples, out<pt::Rgb>(calls[at]), true, {}};
+  for (std::size_t i = at + 1; i < calls[at].end; ++i) {
+    const pt::Call& call = calls[i];
+    direct.plain = direct.plain && call.name != "diffuse_sample";
+    if (call.name == "sample_light") direct.draws.push_back(light_draw(scene, point, call));
+    if (call.name == "closest") direct.draws.push_back(hemisphere_draw(scene, point, call));
+    if (call.name == "occluded" && !direct.draws.empty()) {
+      Draw& draw = direct.draws.back();
+      const pt::Ray ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
+      // A ray in another direction does not ask about this draw.
+      if (draw.was_traced || !(length(normalize(ray.direction) - draw.sample.wi) < 1e-3)) continue;
+      draw.ray = ray;
+      draw.was_traced = true;
+      draw.is_hidden = out<bool>(call);
+    }
+  }
+  return direct;
+}
 
 pt::Rgb factor(const pt::BsdfSample& sample) {
   return sample.f * (std::abs(sample.wi.z) / sample.pdf);
@@ -258,16 +282,27 @@ bool adds_up(const Path& path) {
 
 PixelPaths paths_of_pixel(const pt::View& view, const Settings& settings) {
   PixelPaths pixel;
+  const pt::RenderOptions& render = settings.render;
   {
-    const Recording calls(pixel);
-    pt::Sampler sampler = pt::Sampler::for_pixel(settings.render.seed, settings.x, settings.y);
-    pixel.mean = estimate_pixel(view, settings.x, settings.y, settings.render.samples, sampler);
+    const Recording calls(pixel, settings.first);
+    pt::Sampler sampler = pt::Sampler::for_pixel(render.seed, settings.x, settings.y);
+    if (render.adaptive) {
+      const pt::PixelEstimate estimate =
+          adaptive_pixel(view, settings.x, settings.y, *render.adaptive, sampler);
+      pixel.mean = estimate.mean;
+      pixel.samples = estimate.samples;
+    } else {
+      pixel.mean = estimate_pixel(view, settings.x, settings.y, render.samples, sampler);
+      pixel.samples = render.samples;
+    }
   }
-  std::size_t next = 0;
+  int sample = 0;
   for (const pt::Call& call : pixel.calls) {
-    if (call.name != "camera_ray" || next == pixel.paths.size()) continue;
+    if (call.name != "camera_ray") continue;
+    const int path = sample++ - settings.first;
+    if (path < 0 || path >= static_cast<int>(pixel.paths.size())) continue;
     const auto [camera, x, y] = in<pt::Camera, double, double>(call);
-    pixel.paths[next++].at = {x, y};
+    pixel.paths[path].at = {x, y};
   }
   return pixel;
 }
@@ -281,10 +316,7 @@ Rgb radiance(const Scene& scene, const Ray& ray, const PathSettings& settings, S
   if (view::recording == nullptr) {
     return recorded(common_radiance(scene, ray, settings, sampler));
   }
-  view::Path path = view::walk(scene, ray, settings, sampler);
-  const Rgb value = path.value;
-  view::recording->paths.push_back(std::move(path));
-  return recorded(value);
+  return recorded(view::sample(*view::recording, scene, ray, settings, sampler));
 }
 
 }  // namespace pt

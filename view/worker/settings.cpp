@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <vector>
 
 namespace view {
 
@@ -45,20 +44,9 @@ int whole_number(const std::string& name, const std::string& word, int least, in
   return value;
 }
 
-// "x,y,z"
 pt::Vec3 vector(const std::string& name, const std::string& word) {
-  pt::Vec3 v;
-  const char* at = word.data();
-  const char* const end = at + word.size();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [next, problem] = std::from_chars(at, end, v[axis]);
-    const bool ends_well = axis == 2 ? next == end : next != end && *next == ',';
-    if (problem != std::errc() || !ends_well || !std::isfinite(v[axis])) {
-      throw pt::Error("'" + name + "' takes three numbers, as in 0,1,2.5, and not '" + word + "'");
-    }
-    at = next + 1;
-  }
-  return v;
+  const std::vector<double> v = numbers_of(name, word, 3);
+  return {v[0], v[1], v[2]};
 }
 
 pt::RenderOptions render_options(const Query& query) {
@@ -107,13 +95,31 @@ std::optional<Eye> eye_of(const Query& query) {
 
 }  // namespace
 
+std::vector<double> numbers_of(const std::string& name, const std::string& word, int count) {
+  std::vector<double> numbers;
+  const char* at = word.data();
+  const char* const end = at + word.size();
+  for (int i = 0; i < count; ++i) {
+    double number = 0;
+    const auto [next, problem] = std::from_chars(at, end, number);
+    const bool ends_well = i + 1 == count ? next == end : next != end && *next == ',';
+    if (problem != std::errc() || !ends_well || !std::isfinite(number)) {
+      throw pt::Error("'" + name + "' takes " + std::to_string(count) +
+                      " numbers with commas, as in 0,1,2.5, and not '" + word + "'");
+    }
+    numbers.push_back(number);
+    at = next + 1;
+  }
+  return numbers;
+}
+
 Settings settings_of(const Query& query) {
   Settings settings;
   const auto known = [](const std::string& name) {
     // With `beside`, a picture begins anew, together with the one that it is compared with.
-    static const std::array<const char*, 13> kOwn{
-        "samples", "w",     "h",          "x",        "y",      "eye",  "target",
-        "up",      "shown", "hemisphere", "adaptive", "beside", "whole"};
+    static const std::array<const char*, 14> kOwn{
+        "samples", "first", "w",     "h",          "x",        "y",      "eye",
+        "target",  "up",    "shown", "hemisphere", "adaptive", "beside", "whole"};
     for (const char* own : kOwn) {
       if (name == own) return true;
     }
@@ -134,6 +140,7 @@ Settings settings_of(const Query& query) {
   number("light_samples", 1, 1, kMaxSamples);
   settings.x = number("x", 0, 0, settings.render.width - 1);
   settings.y = number("y", 0, 0, settings.render.height - 1);
+  settings.first = number("first", 0, 0, kMaxAdaptive);
   settings.eye = eye_of(query);
   settings.whole = query.contains("whole");
   if (query.contains("shown")) {
