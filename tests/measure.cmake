@@ -1,6 +1,8 @@
 # What is measured, and the write-up.
 firstlight_test(test_accuracy quick SOURCES measure/accuracy_test.cpp
   LIBRARIES measure_scene measure_rows_here pt_rows_measured pt_render_apart RECORDED RADIANCE apart)
+firstlight_test(test_merit rest PATHS SOURCES measure/merit_test.cpp
+  LIBRARIES measure_scene measure_rows_here pt_rows_measured pt_render_apart RECORDED RADIANCE apart)
 if(TARGET measure)
   firstlight_test(test_measure quick SOURCES measure/measure_test.cpp LIBRARIES measure_calls)
 endif()
@@ -19,7 +21,7 @@ firstlight_add_test(benchmarks rest COMMAND verdict_rules --help NEEDS ${benchma
 firstlight_script_test(verdict_rules rest measure/verdict_rules.sh ARGUMENTS ${PROJECT_BINARY_DIR}/bench/verdict_rules NEEDS verdict_rules)
 set(build ARGUMENTS ${PROJECT_BINARY_DIR})
 firstlight_script_test(accuracy rest measure/accuracy.sh ${build} NEEDS accuracy.reference accuracy.student ladder generate)
-set(needs NEEDS accuracy_boxed measure stability stability.hit_sphere writeup writeup_boxed generate)
+set(needs NEEDS accuracy_boxed ladder_rung.reference measure stability stability.hit_sphere writeup writeup_boxed generate)
 firstlight_script_test(submissions quick measure/submissions.sh ${build} few ${needs})
 firstlight_script_test(more_submissions rest measure/submissions.sh ${build} more ${needs})
 firstlight_script_test(measure rest measure/measure.sh ${build} NEEDS measure)

@@ -220,12 +220,12 @@ TEST_F(Compare, takes_several_pictures_and_says_whether_they_differ) {
   EXPECT_NE(pt::read_file(page).find("wrong: they differ"), std::string::npos);
 }
 
-// A tenth darker everywhere: .1 of 1.04. The two pictures beside it have a noise of a twelfth, which is no part of the error.
+// A tenth darker everywhere: .1 of 1.04. The two pictures beside it have a noise of a hundredth.
 TEST_F(Compare, has_the_error_beside_two_pictures) {
   std::mt19937 random(6);
   std::string both;
   for (const char* name : {"b0.exr", "b1.exr"}) {
-    const Image image = noisy(48, 48, 400, random, kEqual);
+    const Image image = noisy(48, 48, 40000, random, kEqual);
     Film film(48, 48);
     for (std::size_t k = 0; k < film.pixels.size(); ++k) film.pixels[k].mean = image.pixels[k];
     pt::write_image(in_folder(name), film);
@@ -235,7 +235,7 @@ TEST_F(Compare, has_the_error_beside_two_pictures) {
   const std::string said = compare(in_folder("dark.exr") + " " + both).text;
   const std::size_t at = said.find("\nerror    ");
   ASSERT_NE(at, said.npos) << said;
-  EXPECT_NEAR(std::stod(said.substr(at + 10)), 100 * .1 / 1.04, .3) << said;
+  EXPECT_NEAR(std::stod(said.substr(at + 10)), 100 * .1 / 1.04, .1) << said;
 }
 
 TEST_F(Compare, exits_with_2_for_what_it_cannot_use) {
