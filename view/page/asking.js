@@ -229,13 +229,13 @@ const walk = one_at_a_time(async () => {
     [now.paths, now.reference] = [paths, reference];
     if (now.which < 0) show_first_red();
     now.which = Math.max(Math.min(now.which, now.paths.paths.length - 1), 0);
+    show_paths();
     await find_ray();
     await find_depth();
   } catch {
     // the banner has said it
   }
   by_id("paths").removeAttribute("aria-busy");
-  show_paths();
 });
 
 // The light itself, or the numbers of a false colour; by these tasks, unless the picture is by the reference.
