@@ -292,7 +292,7 @@ TEST(Disks, add_light_without_a_surface) {
   EXPECT_EQ(disk.by_bsdf.below, 0);
 }
 
-// What a right task returns is what the disk holds; a mistake in a weight shows.
+// Right tasks return what the disk holds; a mistake in a weight shows.
 TEST(Disks, balance_where_tasks_are_right) {
   const Room room("box_spheres.dae");
   for (const auto& [x, y] : {std::pair(48, 12), {20, 40}, {70, 30}}) {
