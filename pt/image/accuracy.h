@@ -15,8 +15,9 @@
 // The error is the root of relMSE. It is measured with two goldens a and b, right pictures that are independent of each other
 // and of x, as the mean of (x - a)(x - b) / ((a + b) / 2 + d)^2. The noise of a and that of b are in different factors, so that
 // they vanish in the mean, however large they are (Rousselle, Knaus and Zwicker 2012, "Adaptive Rendering with Non-Local Means
-// Filtering", have two such buffers). In the divisor their noise remains: it makes relMSE too large by 1.5 times the relMSE of
-// one golden, as a part of it. So a golden needs more camera samples than the picture, not only more samples of the lights.
+// Filtering", have two such buffers). In the divisor their noise remains. Where q is the relative variance of one golden, and
+// r = (x - g) / (g + d), r^2 becomes about r^2 + q (1.5 r^2 + 2 r). So a golden needs many more camera samples than the picture,
+// not only more samples of the lights: a pixel that it sees as black by chance has far too large a weight.
 //
 // +- is one standard error, what other random numbers would change, by the spread of the pixels. Differences between pixels
 // are in it too, so that it is rather too large.
@@ -63,6 +64,7 @@ inline constexpr double kSignificant = 4;
 struct Accuracy {
   Uncertain error;  // root of relMSE: noise and bias together
   // The part that more samples reduce: the root of the mean of v / (g + d)^2, where v is the variance of the pixel's mean.
+  // Where the number of samples depends on them, as in adaptive sampling, that variance is too small.
   std::optional<Uncertain> noise;  // none where the variances are not known
   Uncertain bias2;                 // relMSE without the noise, 0 for a right method; may be below 0
   // The mean signed error over the mean of g / (g + d): -0.5 for half the light.

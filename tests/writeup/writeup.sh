@@ -186,13 +186,13 @@ judged emission_at_every_vertex roulette '% noise, and 9[0-9]\.[0-9] % too brigh
 judged reference equal_direct 'error [0-9.]+ . [0-9.]+ %$'
 ! grep -q noise "$folder/facts" || complain "the reference is wrong: $(cat "$folder/facts")"
 
-# Four times the samples and four times the light samples at least halve the error of part 3, within three standard errors.
+# Four times the samples and four times the light samples at least halve the error of part 3, within two standard errors.
 python3 - "$made/draft" <<'END' || complain "four times the samples do not halve the error of light sampling"
-import re, sys
+import math, re, sys
 page = open(sys.argv[1] + "/part3.html", encoding="utf-8").read()
 found = dict(re.findall(r"(lights, s = (?:16, l = 8|64, l = 32)).*?error ([0-9.]+ ± [0-9.]+)", page, re.S))
 (few, of_few), (many, of_many) = ([float(x) for x in found[f"lights, s = {at}"].split(" ± ")] for at in ("16, l = 8", "64, l = 32"))
-sys.exit(not many <= few / 2 + 3 * (of_few / 2 + of_many))
+sys.exit(not many <= few / 2 + 2 * math.hypot(of_few / 2, of_many))
 END
 
 # The kept pictures are exactly the pictures of the plan.
