@@ -58,8 +58,9 @@ MethodCurve measured(Study& study, const Method& method, double part) {
     std::optional<Uncertain> bias2 = of_way;
     if (method.adaptive) {
       settings.adaptive = pt::AdaptiveSettings{kMaxAdaptive, kBatch, kTolerances[i]};
-      bias2.reset();  // a pixel may stop too early, which is a bias of these settings
     }
+    // A pixel may stop too early, which is a bias of these settings; other code may have a bias that the short renders hide.
+    if (method.adaptive || study.has_reference()) bias2.reset();
     curve.points.push_back(study.check(path, settings, kSamples[i] * tried.seconds.value, bias2,
                                        part / std::size(kSamples)));
   }
