@@ -537,7 +537,8 @@ TEST(Study, noise_and_bias_of_a_picture_are_those_of_the_closed_form) {
                 kErrors * tried.bias2.error + kOfWeights * weight / 4);
     EXPECT_NEAR(tried.rays, 1 + tried.light_samples, 1e-9) << "camera, light, and no bounce";
   }
-  const Checked checked = study.check(path_of(way, 1), {4, {}, 0, 2}, 1e-5, Uncertain{weight / 4, 0});
+  const Checked checked =
+      study.check(path_of(way, 1), {4, {}, 0, 2}, 1e-5, Uncertain{weight / 4, 0});
   const double error = std::sqrt(weight * (1 / 4. + 1 / 12. / 4));
   EXPECT_NEAR(checked.error.value, error, kErrors * checked.error.error + kOfWeights * error);
   EXPECT_LT(checked.error.error, .05 * error);
