@@ -227,6 +227,7 @@ async function improve_disk() {
   if (!bounce || now.paths.unwritten.includes("trace_path")) {
     by_id("disk").hidden = true;
     ++disk.turn;
+    disk.of = "";  // it begins anew
     return;
   }
   const words = { ...without(query(), ["shown", "adaptive", "show", "bounce", ...kEyeWords]), met: bounce.met.join(","), point: now.point };
