@@ -112,6 +112,13 @@ mkdir "$place/it's a b"
 cp -r run scripts "$place/it's a b"
 sh "$place/it's a b/run" help >/dev/null || complain "a path with spaces is refused, or sh"
 
+# One version, where it is read and where it is cited.
+said=$(./run --version)
+[[ $said =~ ^Firstlight\ ([0-9]+\.[0-9]+\.[0-9]+)$ ]] || complain "--version says '$said'"
+for line in "CITATION.cff:version: ${BASH_REMATCH[1]}" "CHANGELOG.md:## ${BASH_REMATCH[1]}"; do
+  grep -q "^${line#*:}" "${line%%:*}" || complain "${line%%:*} does not have '${line#*:}'"
+done
+
 # A task file that is gone is named before anything is built.
 cp -r --parents student pt/tasks grader/tasks/*/task.json "$place/it's a b"
 rm "$place/it's a b/student/2_bvh/hit_box.cpp"
