@@ -7,7 +7,7 @@
 
 namespace measure::failure {
 
-// What is measured, and of how many cases: "error of t, the largest of 200 cases".
+// The quantity, and of how many cases it is: "error of t, the largest of 200 cases".
 std::string error_text(const Chart& chart);
 
 // A table of each chart for a terminal: a row per place; columns for the reference, the submission, and

@@ -39,7 +39,7 @@ json to_json(const check::Promised& promised, const std::vector<double>& places)
   return {{"bonus", promised.bonus}, {"corners", corners}};
 }
 
-// What is drawn of the cases at a place.
+// The number that is drawn of the cases at a place.
 const char* name_of(check::Statistic statistic) {
   constexpr const char* kNames[] = {"largest", "mean", "median", "mean"};
   return kNames[static_cast<int>(statistic)];

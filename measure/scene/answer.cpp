@@ -122,7 +122,7 @@ std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best,
   const double first = check().error.value;
   settings.tolerance *= std::min(1.0, error / first);
   AdaptiveOption option{settings, check(), {}, {}};
-  // What is left between the two errors: error^2 falls as 1 / time, about.
+  // The rest between the two errors: error^2 falls as 1 / time, about.
   const Uncertain& seen = option.checked.error;
   const double times = option.checked.seconds / choice.seconds * std::pow(seen.value / error, 2);
   const double of_error = seen.value > 0 ? 2 * seen.error / seen.value : 0;

@@ -65,7 +65,7 @@ set style fill transparent solid 0.2 noborder
 {}plot {}
 )gp";
 
-// What a chart is about, so that it says so without the page around it.
+// The subject of a chart, which has to be told without the page around it.
 std::string title_of(const Options& options) {
   return fmt::format(
       "set title \"{}, {} x {} pixels, at most {} bounces\\nl = 1 and survival .7 where nothing "

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-// How far a picture is from the right picture g. Nobody has g, only renders of it that have noise of their own.
+// The distance of a picture from the right picture g. Nobody has g, only renders of it that have noise of their own.
 // Everything here is about luminances of the same pixels, and errors are relative: parts of the brightness, without a unit.
 //
 //   relMSE = mean over the pixels of (x - g)^2 / (g + d)^2        d: dark_of(mean of g)

@@ -77,7 +77,7 @@ class Merit : public testing::TestWithParam<const char*> {
   const Scene scene_{GetParam()};
 };
 
-// What converge has for a number of samples, and what cheapest predicts for it.
+// The error that converge has for a number of samples, and the one that cheapest predicts for it.
 TEST_P(Merit, errors_of_uniform_sampling_are_those_of_other_pictures) {
   Study study(scene_.view(), 2, 7, {1, 256, kWidth * kHeight}, {}, 3);
   for (const Way& way : {Way{Direct::lights, 3}, Way{Direct::hemisphere, 3}}) {

@@ -540,7 +540,7 @@ TEST_F(MadeUp, a_draft_has_the_samples_of_its_labels) {
   EXPECT_EQ(labels, (std::vector<std::string>{"s = 1", "s = 2", "s = 4", "s = 8", "s = 16",
                                               "s = 64", "s = 128"}));
   EXPECT_EQ(got.numbers.at("s1024.samples"), "128");
-  // What the label says already is not said again beside it.
+  // Settings in the label are not said again beside it.
   EXPECT_EQ(got.pictures.back().facts, "l = 1, m = 1; 1.00 s");
 }
 

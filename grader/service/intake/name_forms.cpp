@@ -14,6 +14,7 @@ namespace grader::intake {
 namespace {
 
 constexpr std::size_t kMaxDigits = 20;
+constexpr double kApart = 20;  // IDs of one school have numbers of one size, to this factor
 constexpr std::size_t kMaxDigitsOfFile = 12;  // Canvas: users of another school have more
 
 // The digits at a place of a text; empty if there are none, or too many for a number.
@@ -164,7 +165,8 @@ Found canvas_among(const std::string& name, const Numbers& certain) {
     const Found second = first->late ? Found() : canvas_at(name, at + 1 + first->id.size());
     if (!second) return first;
     const bool may_be_first = first->text || is_of_a_file(*first);
-    const bool may_be_second = second->text || is_of_a_file(*second);
+    const bool is_id = number(second->id) <= kApart * certain.largest_id;
+    const bool may_be_second = second->text || (is_of_a_file(*second) && is_id);
     const bool is_second = may_be_first == may_be_second
                                ? !may_be_first && number(second->order) > number(second->id)
                                : may_be_second;

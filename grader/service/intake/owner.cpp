@@ -29,6 +29,9 @@ void read_again(std::map<std::string, Forms>& all) {
     if (!label || !label->certain || label->text) continue;
     certain.least = std::min(certain.least, number(label->order));
     certain.largest = std::max(certain.largest, number(label->order));
+    const bool is_number = label->id.find_first_not_of("0123456789") == label->id.npos;
+    if (is_number && !label->id.empty())
+      certain.largest_id = std::max(certain.largest_id, number(label->id));
   }
   for (auto& [name, forms] : all) {
     Found& label = forms[kCanvas];

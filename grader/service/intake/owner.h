@@ -23,7 +23,7 @@ struct Label {
   bool late = false;
   bool text = false;    // typed into a form, not uploaded
   bool certain = true;  // the name cannot be read in another way
-  // Who else may own it; empty: nobody.
+  // Somebody else who may own it; empty: nobody may.
   std::string rival_key{}, rival_name{}, rival_id{};
 };
 

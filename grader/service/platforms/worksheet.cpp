@@ -172,7 +172,7 @@ Worksheet::Matches Worksheet::matches(const std::vector<GradeRow>& rows) const {
       names.insert(members.back().second);
     }
   }
-  // What a learner has handed in alone is nobody else's, whatever the learner's name is.
+  // The work of one learner alone is nobody else's, whatever the learner's name is.
   std::vector<const GradeRow*> left;
   for (const GradeRow& row : rows) {
     if (!taken.contains(&row)) left.push_back(&row);

@@ -46,6 +46,13 @@ TEST_F(Intake, a_file_of_canvas_that_may_be_two_learners_is_nobodys) {
   EXPECT_EQ(all["hopper"].files.at("hit_box.cpp"), "Grace's");
 }
 
+// A learner's name for a file may begin with a date.
+TEST_F(Intake, a_date_is_no_number_of_canvas) {
+  add("lovelaceada_1234_10000470_hit_box.cpp", "Ada's");
+  add("hopper_1235_10000480_20270115_work.zip", archive_of({{"hit_box.cpp", "Grace's"}}));
+  for (const auto& [name, found] : seen()) EXPECT_EQ(found.problem, "") << name;
+}
+
 // An ID of Gradescope may be any text.
 TEST_F(Intake, an_id_with_commas_is_one_id) {
   for (int i = 1; i <= 3; ++i) add(fmt::format("submission_{}/hit_box.cpp", i), std::to_string(i));
