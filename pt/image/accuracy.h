@@ -58,7 +58,7 @@ class Goldens {
 // The root of a measured square. Where noise hides the square, it is the root of the standard error.
 Uncertain root_of(const Uncertain& square);
 
-// What is beyond that many standard errors is not noise.
+// A difference of more standard errors is not noise.
 inline constexpr double kSignificant = 4;
 
 struct Accuracy {
