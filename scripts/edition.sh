@@ -71,9 +71,22 @@ update() {
   [ ${#saved[@]} -eq 0 ] || echo "You had changed other files; your versions are kept here: $(printf '%s\n' "${saved[@]}" | sort -u | paste -sd' ')"
 }
 
+# name_other_verdicts TABLE: grades with three seeds that nobody has seen, as whoever gives points does, and names the tasks whose line is
+# another one than in this table.
+name_other_verdicts() {
+  local seed other lines known=
+  rows() { grep -E '^ +[0-9]+\.[0-9]+ ' || true; }
+  known=$(rows <<<"$1")
+  for seed in $(od -An -N12 -tu4 /dev/urandom); do
+    other=$(grade --no-pictures --quiet --seed "$seed") || true
+    lines=$(rows <<<"$other" | grep -vxF -- "$known") || true
+    [ -z "$lines" ] || printf 'With the random inputs of seed %s (./run grade TASK --seed %s shows them):\n%s\n' "$seed" "$seed" "$lines"
+  done
+}
+
 # submit [FILE.zip]: grades the promises of all tasks, and packs their files with the table.
 submit() {
-  local target=${1:-firstlight-submission.zip} slug file files=() examples=() conflicts graded half status=0
+  local target=${1:-firstlight-submission.zip} slug file files=() examples=() conflicts graded others half status=0
   case $target in *.zip) ;; *) fail "the archive has to be a .zip: ./run submit mine.zip" ;; esac
   target=$(realpath -m -- "$target")
   cd "$root"
@@ -89,6 +102,8 @@ submit() {
   graded=$(grade --no-pictures) || status=$?
   printf '%s\n' "$graded"
   [ "$status" -lt 2 ] || fail "nothing was packed, because the files could not be graded"
+  others=$(name_other_verdicts "$graded")
+  [ -z "$others" ] || printf 'Points are given with other random inputs than those at home. Of three other seeds:\n%s\n' "$others"
   half=$(mktemp -d)
   # shellcheck disable=SC2064
   trap "rm -rf ${half@Q} ${target@Q}.half" EXIT
@@ -99,5 +114,5 @@ submit() {
   done
   (cd "$half" && cmake -E tar cf "$target.half" --format=zip -- graded.txt "${files[@]}" ${examples[@]+"${examples[@]}"}) || fail "$target cannot be written"
   mv "$target.half" "$target"
-  echo "$target: ${#files[@]} files, ${#examples[@]} files of examples, and the table above. Pictures were not graded: ./run grade does that."
+  echo "$target: ${#files[@]} files, ${#examples[@]} files of examples, and the table above. ${others:+Its verdicts are not sure, see above. }Pictures were not graded: ./run grade does that."
 }

@@ -119,6 +119,8 @@ cat >build/check/grader/grade <<'END'
 #!/bin/sh
 case $1 in --programs) exit 0 ;; esac
 echo "the table, of: $*"
+printf '  1.2  camera_ray  pass  8/8\n'
+case $* in *--seed*) cat other 2>/dev/null ;; *) printf '  1.3  hit_sphere  pass  8/8\n' ;; esac
 exit "$(cat status)"
 END
 chmod +x build/check/grader/grade
@@ -130,10 +132,17 @@ echo 1 >status
 grep -q 'two.zip: 12 files, 12 files of examples' "$folder/said" && grep -q 'the table, of: --no-pictures' "$folder/said" || complain "submit says: $(cat "$folder/said")"
 mkdir ../unpacked
 (cd ../unpacked && cmake -E tar xf ../two.zip)
-has ../unpacked/graded.txt 'the table, of: --no-pictures'
+[ "$(head -1 ../unpacked/graded.txt)" = 'the table, of: --no-pictures' ] || complain "graded.txt: $(cat ../unpacked/graded.txt)"
 diff <(cd ../unpacked && find . -type f ! -name graded.txt | sort) <(cd student && find . -mindepth 2 -name '*.cpp' ! -name hit_box_2.cpp | sort) ||
   complain "other files are handed in"
 has ../unpacked/1_rays/hit_triangle.cpp mine
+printf '  1.3  hit_sphere  fail  7/8\n' >other
+./run submit ../other.zip >"$folder/said" || complain "submit ends with $? where other seeds fail"
+[ "$(grep -c 'hit_sphere  fail' "$folder/said")" -eq 3 ] && grep -q 'Its verdicts are not sure' "$folder/said" && ! grep -q '^With.*camera_ray' "$folder/said" ||
+  complain "submit says of other seeds: $(cat "$folder/said")"
+printf '  1.3  hit_sphere  pass  8/8\n' >other
+./run submit ../same.zip >"$folder/said" || complain "submit ends with $?"
+! grep -q 'not sure' "$folder/said" || complain "submit doubts: $(cat "$folder/said")"
 refuses 'the archive has to be a .zip' ./run submit mine.rar
 # A crash in one process with the learner's code says what to do. Files that make much to build again are named.
 for program in hit_box hit_sphere; do
