@@ -190,9 +190,11 @@ judged reference equal_direct 'error [0-9.]+ . [0-9.]+ %$'
 python3 - "$made/draft" <<'END' || complain "four times the samples do not halve the error of light sampling"
 import math, re, sys
 page = open(sys.argv[1] + "/part3.html", encoding="utf-8").read()
-found = dict(re.findall(r"(lights, s = (?:16, l = 8|64, l = 32)).*?error ([0-9.]+ ± [0-9.]+)", page, re.S))
-(few, of_few), (many, of_many) = ([float(x) for x in found[f"lights, s = {at}"].split(" ± ")] for at in ("16, l = 8", "64, l = 32"))
-sys.exit(not many <= few / 2 + 2 * math.hypot(of_few / 2, of_many))
+found = re.findall(r"<strong>lights, s = (16|64), l = [0-9]+</strong> *<span class=.facts.>[^<]*error ([0-9.]+) ± ([0-9.]+)", page)
+errors = {s: [(float(error), float(of)) for at, error, of in found if at == s] for s in ("16", "64")}
+pairs = list(zip(errors["16"], errors["64"], strict=True))
+assert pairs, page.count("error ")
+sys.exit(not all(many <= few / 2 + 2 * math.hypot(of_few / 2, of_many) for (few, of_few), (many, of_many) in pairs))
 END
 
 # The kept pictures are exactly the pictures of the plan.
