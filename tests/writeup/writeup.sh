@@ -186,17 +186,6 @@ judged emission_at_every_vertex roulette '% noise, and 9[0-9]\.[0-9] % too brigh
 judged reference equal_direct 'error [0-9.]+ . [0-9.]+ %$'
 ! grep -q noise "$folder/facts" || complain "the reference is wrong: $(cat "$folder/facts")"
 
-# Four times the samples and four times the light samples at least halve the error of part 3, within two standard errors.
-python3 - "$made/draft" <<'END' || complain "four times the samples do not halve the error of light sampling"
-import math, re, sys
-page = open(sys.argv[1] + "/part3.html", encoding="utf-8").read()
-found = re.findall(r"<strong>lights, s = (16|64), l = [0-9]+</strong> *<span class=.facts.>[^<]*error ([0-9.]+) ± ([0-9.]+)", page)
-errors = {s: [(float(error), float(of)) for at, error, of in found if at == s] for s in ("16", "64")}
-pairs = list(zip(errors["16"], errors["64"], strict=True))
-assert pairs, page.count("error ")
-sys.exit(not all(many <= few / 2 + 2 * math.hypot(of_few / 2, of_many) for (few, of_few), (many, of_many) in pairs))
-END
-
 # The kept pictures are exactly the pictures of the plan.
 handbook() {
   "$build/writeup/writeup" --handbook --root "$root" --from reference --renderer "$folder/writeup/reference" \
