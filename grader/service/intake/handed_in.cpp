@@ -217,7 +217,7 @@ class Intake {
   // The name of a folder or an archive that no platform has named.
   static std::string learner_of(const fs::directory_entry& entry) {
     const std::string name = entry.path().filename();
-    return is_handed_in(entry) && is_file(entry) ? without_ending(name) : name;
+    return is_file(entry) && is_packed(name) ? without_ending(name) : name;
   }
 
   void add_unclaimed(const std::string& name) {

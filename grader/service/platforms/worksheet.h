@@ -28,9 +28,10 @@ class Worksheet {
 
   // Fills in each learner's grade and comment, by the participant's number. The number in the name
   // of a group's files is the group's: in a table with groups, where the participant with this
-  // number has another name, everybody in the group with that name gets the grade. A group whose name fits two
-  // submissions, or none better than another group's, gets nothing, and is counted. Everything else stays the same, byte for byte: rows of participants without a submission, the grade of a learner who
-  // was not judged, and the times that show Moodle whether a grade was changed since. Throws
+  // number has another name, everybody in the group with that name gets the grade. A group whose name
+  // fits two submissions, or none better than another group's name does, gets nothing, and is named.
+  // Everything else stays the same, byte for byte: rows of participants without a submission, the
+  // grade of a learner who was not judged, and the times that show Moodle whether a grade was changed since. Throws
   // pt::Error if Moodle's maximum is not `max_points`.
   Filled filled(const std::vector<GradeRow>& rows, int max_points) const;
 

@@ -6,10 +6,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -169,11 +167,16 @@ std::vector<Triangle> in_shared_planes(const std::vector<Triangle>& triangles) {
     const Vec3 nearest = (1e6 * dot(n, t.p0) / largest) * n;
     return hash_of({std::round(nearest.x), std::round(nearest.y), std::round(nearest.z)});
   };
-  std::unordered_map<std::uint64_t, int> count;
-  for (const Triangle& t : triangles) ++count[hash_of_plane(t)];
+  std::vector<std::pair<std::uint64_t, std::size_t>> planes;
+  planes.reserve(triangles.size());
+  for (const Triangle& t : triangles) planes.emplace_back(hash_of_plane(t), planes.size());
+  std::sort(planes.begin(), planes.end());
   std::vector<Triangle> shared;
-  std::ranges::copy_if(triangles, std::back_inserter(shared),
-                       [&](const Triangle& t) { return count[hash_of_plane(t)] > 1; });
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const bool as_before = i > 0 && planes[i - 1].first == planes[i].first;
+    const bool as_next = i + 1 < planes.size() && planes[i + 1].first == planes[i].first;
+    if (as_before || as_next) shared.push_back(triangles[planes[i].second]);
+  }
   return shared;
 }
 

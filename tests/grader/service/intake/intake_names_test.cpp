@@ -77,7 +77,7 @@ TEST_F(Intake, names_are_those_of_reports) {
   }
 }
 
-// Whoever is called like the report of somebody else keeps that name.
+// A learner may have the name that a number would make of the name of another learner.
 TEST_F(Intake, a_number_behind_a_name_is_nobodys_name) {
   for (const char* name : {"Ada", "ada", "ada (2)", "class", "class (2)"}) {
     add(std::string(name) + "/hit_box.cpp", name);
