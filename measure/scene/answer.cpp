@@ -108,7 +108,8 @@ double relative_price_error(const Option& option) {
 }
 
 // The settings whose picture has the error. Noise alone predicts the first try; pixels that stop too
-// early add a bias, and the second try makes up for it.
+// early add a bias, and the second try makes up for it. There is none where the first took twice the
+// samples of uniform sampling: adaptive sampling does not pay there, and the second would take longer.
 std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best, double error) {
   const Choice& choice = *best.choice;
   if (choice.samples < 16) return std::nullopt;
@@ -119,9 +120,12 @@ std::optional<AdaptiveOption> look_at_adaptive(Study& study, const Option& best,
   settings.tolerance = tolerance_for(noise, settings, left);
   const pt::PathSettings path = path_of(best.way, choice.light_samples);
   const auto check = [&] { return study.check(path, {1, settings, 0, 1}, choice.seconds, {}); };
-  const double first = check().error.value;
-  settings.tolerance *= std::min(1.0, error / first);
-  AdaptiveOption option{settings, check(), {}, {}};
+  Checked checked = check();
+  if (checked.samples < 2 * choice.samples && checked.error.value > error) {
+    settings.tolerance *= error / checked.error.value;
+    checked = check();
+  }
+  AdaptiveOption option{settings, checked, {}, {}};
   // The rest between the two errors: error^2 falls as 1 / time, about.
   const Uncertain& seen = option.checked.error;
   const double times = option.checked.seconds / choice.seconds * std::pow(seen.value / error, 2);
