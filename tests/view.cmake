@@ -59,5 +59,5 @@ firstlight_test(test_view_server quick PLAIN SOURCES view/server_test.cpp LIBRAR
 if(FIRSTLIGHT_SANITIZE)
   return()
 endif()
-firstlight_script_test(view_page rest view/page.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS view view_worker.reference view_boxed)
+firstlight_script_test(view_page rest view/page.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS view view_worker.reference view_worker.student view_boxed)
 firstlight_script_test(view_soak long view/soak.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS view view_worker.reference TIMEOUT 1500)

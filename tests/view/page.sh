@@ -67,10 +67,17 @@ const heads = () => [...document.querySelectorAll('#own thead th')].map((head) =
 const { unwritten } = now.paths, before = heads();
 now.paths.unwritten = ['trace_path'];
 show_paths();
-const early = heads();
+const early = heads(), early_rows = document.querySelectorAll('#reference tbody tr').length;
 now.paths.unwritten = unwritten;
 show_paths();
-return early === ',point,n,wo' && before.includes('throughput') && heads() === before;
+return early === ',point,n,wo' && early_rows === 1 && before.includes('throughput') && heads() === before;
+E2
+expect 'and the page begins with normals' <<'E2'
+now.has_light = false;
+begin_with_normals({ stage: 2, unwritten: ['trace_path'] });
+const begun = controls.shown.value;
+set('shown', 'light');
+return begun === 'normals';
 E2
 until_true 'the disk of the point holds the lamp, and less light than trace_path returns' <<'E2'
 const apart = [...document.querySelectorAll('#disk_balance td.differs')];
@@ -277,6 +284,16 @@ expect 'at every moment' <<<"return window.moments.every((moment) => moment);"
 echo right >"$folder/tasks/task.cpp"
 until_true 'the next save is shown at once' <<'E2'
 return document.getElementById('banner').hidden && now.latest.own && now.latest.own.samples > 0;
+E2
+
+go about:blank
+kill "$server"
+wait "$server" || true
+go_to_server "$programs/view" --worker "$programs/view_worker.student" --reference "$programs/view_worker.reference" scenes/box_spheres.dae -r 96 72 --no-browser
+pointer "$(element '#stage')" 0 40 click
+until_true 'a stub breaks no promise' <<'E2'
+return now.paths !== null && now.paths.unwritten.includes('estimate_pixel') && document.querySelectorAll('#findings li, td.broken').length === 0
+  && document.getElementById('disk').hidden && document.getElementById('samples').hidden;
 E2
 
 "$programs/view" --worker "$programs/view_worker.reference" scenes/box_spheres.dae -r 96 72 -s 4 --pixel 48 20 \

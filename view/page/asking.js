@@ -153,6 +153,7 @@ async function show_better_pictures(turn) {
   show_bad(latest.own);
   if (is_wanted && latest.own.stage > 1) await find_depth();
   stage.dataset.samples = latest.own.samples;
+  begin_with_normals(latest.own);
   return latest.own.goes_on;
 }
 

@@ -184,10 +184,13 @@ function disk_in_words(answer) {
   return `Disk of directions; ${words(answer.direct, answer.task)}${answer.all ? `; of all light ${words(answer.all, "trace_path")}` : ""}`;
 }
 
+// Before trace_path is written, the first point has a disk, if the functions of part 3 are.
+const is_written = (answer) => !["diffuse_bsdf", answer.task].some((task) => answer.unwritten?.includes(task));
+
 function show_disk() {
   const path = now.paths && now.paths.paths[now.which];
   const bounce = path && path.bounces[disk.point];
-  by_id("disk").hidden = !disk.own || !bounce;
+  by_id("disk").hidden = !disk.own || !bounce || !is_written(disk.own);
   if (by_id("disk").hidden) return;
   by_id("disk_point").textContent = `${disk.point + 1} of path ${now.paths.first + now.which + 1}`;
   by_id("disk_reference").hidden = by_id("disk_by").hidden = !disk.reference;
@@ -224,7 +227,7 @@ async function improve_disk() {
     else by_id("disk").hidden = true;
     return;
   }
-  if (!bounce || now.paths.unwritten.includes("trace_path")) {
+  if (!bounce) {
     by_id("disk").hidden = true;
     ++disk.turn;
     disk.of = "";  // it begins anew
@@ -244,7 +247,7 @@ async function improve_disk() {
       Object.assign(disk, { own, reference, point });
       show_disk();
       by_id("disk").dataset.passes = own.passes;
-      goes_on = own.goes_on || Boolean(reference?.goes_on);
+      goes_on = is_written(own) && (own.goes_on || Boolean(reference?.goes_on));
     } catch {
       return;  // the banner has said why
     }

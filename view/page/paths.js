@@ -73,8 +73,10 @@ function first_difference(a, b) {
   return null;
 }
 
-// The columns that say something, before trace_path is written and after.
-const columns_of = (unwritten) => (unwritten.includes("trace_path") ? kColumns.slice(0, 3) : kColumns);
+// The columns and the points that say something, before trace_path is written and after.
+const has_paths = (unwritten) => !unwritten.includes("trace_path");
+const columns_of = (unwritten) => (has_paths(unwritten) ? kColumns : kColumns.slice(0, 3));
+const first_point_of = (path) => ({ ...path, bounces: path.bounces.slice(0, 1).map(({ p, primitive, n, wo }) => ({ p, primitive, n, wo, drawn: [] })) });
 
 // `choose` is called with the number of the point whose row was pressed.
 function fill_table(table, columns, path, settings, chosen, difference, choose) {
@@ -123,7 +125,7 @@ function fill_draws(table, bounce) {
 function sentence_of_sum(path, unwritten) {
   const missing = unwritten.length ? `; not written yet: ${unwritten.join(", ")}` : "";
   if (!path.bounces.length) return [`The ray meets nothing${missing}.`, "note"];
-  if (unwritten.includes("trace_path")) return [`The ray meets primitive ${path.bounces[0].primitive}${missing}.`, "note"];
+  if (!has_paths(unwritten)) return [`The ray meets primitive ${path.bounces[0].primitive}${missing}.`, "note"];
   const [sum, traced] = [path.sum, path.traced].map((c) => c.map(shown).join(", "));
   if (!path.one) return ["The task does not walk one path here, so its parts cannot be told apart.", ""];
   if (path.same) return [`The parts add up to what trace_path returned, bit for bit: ${traced}.`, "same"];

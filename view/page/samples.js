@@ -113,7 +113,7 @@ function samples_in_words(values, steps, adaptive) {
 
 function show_samples() {
   const { paths } = now;
-  by_id("samples").hidden = !paths || paths.values.length < 2;
+  by_id("samples").hidden = !paths || paths.values.length < 2 || !has_paths(paths.unwritten);
   if (by_id("samples").hidden) return;
   const canvas = by_id("strip");
   canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);

@@ -111,6 +111,13 @@ function show_status() {
   by_id("engine").textContent = own.engine === controls.engine.value ? "" : `in use: ${own.engine}`;
 }
 
+// Before trace_path is written there is no light to see: the page begins with normals.
+function begin_with_normals({ stage: of, unwritten }) {
+  if (now.has_light || of < 2) return;
+  now.has_light = true;
+  if (!has_paths(unwritten) && controls.shown.value === "light" && !data.settings.show) set("shown", "normals");
+}
+
 // --- lines over it ---
 
 function show_lines() {
@@ -165,10 +172,12 @@ function choose_path(which) {
 }
 
 function show_reference(path) {
-  const beside = now.reference && now.reference.paths[now.which];
+  const whole = now.reference && now.reference.paths[now.which];
+  const points_of = (each) => (has_paths(now.paths.unwritten) ? each : first_point_of(each));
+  const beside = whole && points_of(whole);
   by_id("reference").hidden = by_id("reference_title").hidden = by_id("difference").hidden = !beside;
   if (!beside) return null;
-  const difference = first_difference(path, beside);
+  const difference = first_difference(points_of(path), beside);
   fill_table(by_id("reference"), columns_of(now.paths.unwritten), beside, data.settings, now.point, difference, choose_point);
   by_id("difference").textContent = difference
     ? `The first number that differs is outlined: point ${difference.bounce}, ${difference.cell}.`

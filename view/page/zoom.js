@@ -13,7 +13,7 @@ const pen = () => devicePixelRatio / zoomed.times;
 // A whole number of points of the screen for each pixel, where there is room for two or more; else the picture is smoothed.
 function fit_stage() {
   const { width, height } = by_id("picture");
-  const room = Math.min(stage.parentElement.clientWidth, (0.68 * innerHeight * width) / height);
+  const room = Math.min(stage.parentElement.clientWidth, (0.56 * innerHeight * width) / height);
   const points = Math.floor((room * devicePixelRatio) / width);
   const wide = points < 2 ? room : (points * width) / devicePixelRatio;
   stage.style.width = `${wide}px`;

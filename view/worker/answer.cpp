@@ -159,6 +159,7 @@ Answer Answers::disk(const Query& query) {
   const bool goes_on = improve(*disk_, loaded_.scene, kSlice);
   nlohmann::json state = to_json(*disk_);
   state["goes_on"] = goes_on;
+  state["unwritten"] = pt::todo_list();
   const std::vector<float> layers = layers_of(*disk_);
   const auto* bytes = reinterpret_cast<const char*>(layers.data());
   return {std::move(state), std::string(bytes, sizeof(float) * layers.size())};

@@ -5,6 +5,7 @@
 #include "pt/tasks/direct_hemisphere.h"
 #include "pt/tasks/direct_lights.h"
 #include "pt/tasks/trace_path.h"
+#include "pt/todo.h"
 #include "view/worker/json.h"
 
 #include <algorithm>
@@ -240,7 +241,8 @@ double elsewhere(const Disk& disk) {
 Disk begin_disk(const pt::SurfacePoint& point, const Settings& settings, int bounces_before) {
   Disk disk{point, path_settings(settings.render), settings.render.seed, settings.render.threads};
   disk.settings.from = 1;
-  disk.settings.to = std::max(1, settings.render.bounces - bounces_before);
+  const bool has_paths = !pt::todo_reached("trace_path");
+  disk.settings.to = has_paths ? std::max(1, settings.render.bounces - bounces_before) : 1;
   for (auto& rows : disk.rows) rows.resize(kDiskSide);
   find_densities(disk);
   return disk;
