@@ -17,11 +17,42 @@ say_how_long() {
   case $1 in
     quick) echo "The quick tests: with nothing built yet, some 8 minutes on two idle cores; when all is built, 2." ;;
     all) echo "All tests but the long ones: with nothing built yet, some 30 minutes on two idle cores; when all is built, 16." ;;
-    long) echo "The long tests: hours." ;;
+    long) echo "The long tests: hours, in pieces of at most 40 minutes on two idle cores. Stop them whenever you like: the same command goes on." ;;
   esac >&2
 }
 
-# run_tests [NAME ... | --all | --long] [--sanitize] [OPTIONS of ctest]
+# run_pieces [PIECE ...]: the long tests one by one, and then the sanitizers, every compiler and clang-tidy. build/long_tests.txt keeps the result of each,
+# its commit, the day and the seconds. A piece that has passed at this commit is not run again, so the same command goes on where it was stopped.
+run_pieces() {
+  local table=$build/long_tests.txt pieces piece commit start result part failed=0
+  mapfile -t pieces < <(awk '$2 == "long" { print $1 }' "$build/check/tests.txt")
+  for part in 1 2 3 4 5 6; do pieces+=("sanitize_$part"); done
+  pieces+=(lint_all tidy)
+  for piece; do
+    case " ${pieces[*]} " in *" $piece "*) ;; *) fail "there is no piece '$piece': ${pieces[*]}" ;; esac
+  done
+  [ $# -eq 0 ] || pieces=("$@")
+  commit=$(git -C "$root" describe --always --dirty --abbrev=12)
+  for piece in "${pieces[@]}"; do
+    ! grep -q "^$piece passed $commit " "$table" 2>/dev/null || [[ $commit == *-dirty ]] || continue
+    echo "== $piece" >&2
+    start=$SECONDS result=passed
+    case $piece in
+      sanitize_*) "$root/run" test --all --sanitize -I "${piece#*_},,6" ;;
+      lint_all) "$root/run" lint --all ;;
+      tidy) "$root/run" tidy ;;
+      *) "$root/run" test "$piece" ;;
+    esac || result=FAILED
+    [ $result = passed ] || failed=1
+    { grep -v "^$piece " "$table" 2>/dev/null || true
+      echo "$piece $result $commit $(date -u +%F) $((SECONDS - start))s"; } >"$table.new"
+    mv "$table.new" "$table"
+  done
+  sort "$table" | column -t
+  return $failed
+}
+
+# run_tests [NAME ... | --all | --long [PIECE ...]] [--sanitize] [OPTIONS of ctest]
 run_tests() {
   local preset=check tier=quick names=() options=() targets=() which word said
   for word in "$@"; do
@@ -32,6 +63,15 @@ run_tests() {
       *) if [ ${#options[@]} -gt 0 ]; then options+=("$word"); else names+=("$word"); fi ;;
     esac
   done
+  if [ "$tier" = long ]; then
+    [ ${#names[@]} -gt 0 ] || say_how_long long
+    (setup test) || true
+    lock_tree
+    configure check || { explain_configure check; exit 2; }
+    unlock_tree # each piece has its own
+    run_pieces ${names[@]+"${names[@]}"}
+    return
+  fi
   if [ ${#names[@]} -gt 0 ]; then
     setup
     lock_tree
@@ -46,13 +86,9 @@ run_tests() {
       # A test that needs one of the packages is skipped without it.
       all) (setup test) || true
            targets=(quick_tests rest_tests) which=(-LE '^long$') ;;
-      long) (setup test) || true
-            targets=(long_tests) which=(-L '^long$') ;;
     esac
   fi
   [ ${#targets[@]} -eq 0 ] || build "$preset" "${targets[@]}"
   cd "$build/$preset"
   ctest --output-on-failure --no-tests=error -j "$(nproc)" "${which[@]}" ${options[@]+"${options[@]}"}
-  # With hours to spare: the sanitizers, every compiler, and clang-tidy.
-  [ "$tier" != long ] || [ $# -gt 1 ] || { "$root/run" test --all --sanitize && "$root/run" lint --all && "$root/run" tidy; }
 }

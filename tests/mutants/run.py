@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """run.py --check
-run.py FOLDER [--only NAME]...
+run.py FOLDER [--only NAME]... [--part K N]
 run.py FOLDER --draw N [--seed S] [PATH]...
 
 Tests the tests of the framework: puts one mistake after the other into a copy of the project in FOLDER, builds the programs of its tests and
 runs them there; one must fail. The mistakes are those of mutants.txt, or with --draw N small changes (edits_of_tokens.py), drawn from the
-folders of folders.txt, or from those files of them that lie in PATH. A seed is chosen and printed if none is given. Found ones are
+folders of folders.txt, or from those files of them that lie in PATH. --part K N takes every N-th mistake, from the K-th on. A seed is chosen and printed if none is given. Found ones are
 kept in FOLDER, so that a run may be stopped and started again, a draw with its seed. --check runs nothing; it says which entries of
 mutants.txt do not fit their files any more.
 
@@ -170,6 +170,7 @@ def main():
     parser.add_argument("paths", nargs="*")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--only", action="append", default=[], metavar="NAME")
+    parser.add_argument("--part", type=int, nargs=2, default=[1, 1], metavar=("K", "N"))
     parser.add_argument("--draw", type=int, metavar="N")
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(10**6))
     options = parser.parse_intermixed_args()
@@ -182,6 +183,9 @@ def main():
     if options.draw:
         print(f"--draw {options.draw} --seed {options.seed} {' '.join(options.paths)}", flush=True)
     mistakes = drawn(options.draw, options.seed, options.paths) if options.draw else list(written(options.only))
+    mistakes = mistakes[options.part[0] - 1::options.part[1]]
+    if not mistakes:
+        fail("this part has no mistake")
     counts = collections.Counter()
     for m, outcome in try_all(mistakes, Copy(options.folder)):
         if outcome == "SURVIVES" and (m.file, m.line, m.changed_line) in known_reasons:
