@@ -36,6 +36,7 @@ firstlight_script_test(walk quick commands/walk.sh ${build}
   NEEDS render export judge compare_picture view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class)
 firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade grade_examples hint watch box render view compare generate writeup
   accuracy.reference measure stability bless grade_class ladder judge export)
+firstlight_script_test(site rest site/site.sh NEEDS site grade graded_programs grade_class view view_worker.reference)
 firstlight_script_test(autograder_made rest commands/autograder.sh ARGUMENTS ${PROJECT_BINARY_DIR} made NEEDS grade graded)
 firstlight_script_test(workflows rest commands/workflows.sh ${build} NEEDS grade graded)
 firstlight_script_test(resume rest commands/resume.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded grade_class)

@@ -197,12 +197,13 @@ std::string with_formulas(std::string html) {
 
 }  // namespace
 
-std::string html_from_markdown(const std::string& text) {
+std::string html_from_markdown(const std::string& text, Tags tags) {
   std::string html;
   const auto append = [](const MD_CHAR* part, MD_SIZE size, void* into) {
     static_cast<std::string*>(into)->append(part, size);
   };
-  const unsigned flags = MD_FLAG_TABLES | MD_FLAG_NOHTML | MD_FLAG_PERMISSIVEAUTOLINKS;
+  const unsigned flags =
+      MD_FLAG_TABLES | MD_FLAG_PERMISSIVEAUTOLINKS | (tags == Tags::shown ? MD_FLAG_NOHTML : 0U);
   if (md_html(text.data(), static_cast<MD_SIZE>(text.size()), append, &html, flags, 0) != 0) {
     throw pt::Error("the text cannot be read as Markdown");
   }

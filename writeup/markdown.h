@@ -22,8 +22,9 @@ struct Names {
 // is not known.
 std::string page_from_text(const std::string& file, const std::string& text, const Names& names);
 
-// Plain Markdown, without names.
-std::string html_from_markdown(const std::string& text);
+// Plain Markdown, without names. HTML tags in it are shown as they are written, or kept: for texts of our own.
+enum class Tags { shown, kept };
+std::string html_from_markdown(const std::string& text, Tags tags = Tags::shown);
 
 // HTML's own characters, written so that they stand for themselves.
 std::string escaped(const std::string& text);

@@ -33,13 +33,14 @@ const Rooms kMeasure{"measure/charts", "measure/renders", "measure/scene", "meas
                      "measure/failure"};
 const std::string kWriteup = "writeup";
 const std::string kView = "view";
+const std::string kSite = "site";
 
 // These rooms contain programs, and nobody includes their headers.
 const Rooms kPrograms{"grader/watch", "grader/programs"};
 
 const Rooms kRooms = [] {
   Rooms all;
-  for (const Rooms& rooms : {kCore, kService, kMeasure, {kWriteup}, {kView}, kPrograms})
+  for (const Rooms& rooms : {kCore, kService, kMeasure, {kWriteup}, {kView}, {kSite}, kPrograms})
     all.insert(all.end(), rooms.begin(), rooms.end());
   return all;
 }();
@@ -60,6 +61,7 @@ const std::map<std::string, std::set<std::string>> kOnly{
      {"grader/base", "grader/door", "grader/service/build", "grader/service/process",
       "grader/service/sandbox"}},
     {"grader/service/platforms", {"grader/base", "grader/results", "grader/report"}},
+    {kSite, {kWriteup}},
     {kView,
      {"grader/base", "grader/explain", "grader/pictures", "grader/report", "grader/service/process",
       "grader/service/sandbox"}}};
@@ -72,6 +74,7 @@ const std::map<std::string, std::string> kNamespaces{{"grader", "grader"},
                                                      {"measure/scene", "measure::scene"},
                                                      {"writeup", "writeup"},
                                                      {"view", "view"},
+                                                     {"site", "site"},
                                                      {"measure/calls", "measure::calls"},
                                                      {"measure/failure", "measure::failure"}};
 
@@ -91,6 +94,7 @@ const std::map<std::string, std::string> kElsewhere{
     {"grader/service/wire/implementation.cpp", "pt"},
     {"grader/examples/runner.cpp", "pt"},
     {"view/worker/paths.cpp", "pt"},
+    {"site/live/recorded.cpp", "pt"},
     {"measure/calls/serve.cpp", "grader::wire"}};
 
 struct Source {
@@ -115,7 +119,7 @@ bool is_ours(const std::string& path) {
 
 std::vector<Source> sources() {
   std::vector<Source> all;
-  for (const char* folder : {"grader", "measure", "writeup", "view"}) {
+  for (const char* folder : {"grader", "measure", "writeup", "view", "site"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(FIRSTLIGHT_ROOT) / folder)) {
       const std::string path = fs::relative(entry.path(), FIRSTLIGHT_ROOT);
       const std::string type = entry.path().extension();
@@ -129,7 +133,7 @@ std::vector<Source> sources() {
 // Returns the rooms whose headers a text includes, with the include line.
 std::map<std::string, std::string> included(const std::string& text) {
   static const std::regex include(
-      R"(^#include "((?:grader|measure|writeup|view|tests|bench)/.*)\".*)");
+      R"(^#include "((?:grader|measure|writeup|view|site|tests|bench)/.*)\".*)");
   std::map<std::string, std::string> rooms;
   std::istringstream lines(text);
   std::smatch found;
@@ -218,7 +222,7 @@ bool may_open(const Source& source, const std::string& name) {
   const std::string own = namespace_of(source);
   const auto elsewhere = kElsewhere.find(source.path);
   return name == own || name.starts_with(own + "::") ||
-         !std::regex_match(name, std::regex("(grader|measure|writeup|view)(::.*)?")) ||
+         !std::regex_match(name, std::regex("(grader|measure|writeup|view|site)(::.*)?")) ||
          (elsewhere != kElsewhere.end() && elsewhere->second == name);
 }
 
@@ -247,7 +251,7 @@ TEST(layers, are_namespaces) {
 
 TEST(layers, of_the_renderer_point_downwards) {
   static const std::regex include(
-      R"(^#include "(pt|grader|measure|writeup|view|tests)/(?:(\w+)/)?(.*)\"$)");
+      R"(^#include "(pt|grader|measure|writeup|view|site|tests)/(?:(\w+)/)?(.*)\"$)");
   std::set<std::string> calls;
   for (const auto& entry : fs::recursive_directory_iterator(FIRSTLIGHT_ROOT "/pt")) {
     const std::string type = entry.path().extension();
