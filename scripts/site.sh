@@ -20,9 +20,11 @@ make_samples() {
   hand_in ada
   hand_in bea && cp "$weights" "$work/handed_in/bea/1_rays"
   hand_in cem && cp "$root/student/1_rays/hit_sphere.cpp" "$work/handed_in/cem/1_rays"
-  sample "$build/check/grader/grade" --config "$build/check/grader/grade.json" 1 --submission "$work/handed_in/bea" --seed 7 --html "$work/samples/report.html"
+  sample "$build/check/grader/grade" --config "$build/check/grader/grade.json" 1 --submission build/site/handed_in/bea --seed 7 --html "$work/samples/report.html"
   sample "$build/check/grader/grade_class" "$work/handed_in" --out "$work/class" --seed 7 --not-isolated -- 1 --no-pictures
   mkdir "$work/samples/class" && cp "$work"/class/*.html "$work/class/class.csv" "$work/samples/class"
+  # The same site has the same bytes, so measured times go.
+  sed -i -E 's/ Judging one took [^.]* on average[.]//; s|<div><dt>Time</dt><dd>[^<]*</dd></div>||' "$work"/samples/report.html "$work"/samples/class/*.html
   sample "$build/check/view/view" --worker "$build/check/view/view_worker.reference" --recipes "$root/scenes/recipes.json" scenes/box_spheres.dae \
     -r 160 120 -s 4 --pixel 80 20 --export "$work/samples/view.html"
 }

@@ -17,7 +17,12 @@ live.figure('hit_triangle', (figure) => {
   const weights = ([, , ...n]) => n.map((part) => part / (n[0] + n[1] + n[2]));
   const coarse = Object.assign(document.createElement('canvas'), { width: 160, height: 90 });
 
-  return () => {
+  // The picture is made again only when the triangle or the range has changed.
+  let made = '';
+  function paint() {
+    const wanted = `${corners} ${tilt.value} ${furthest.value}`;
+    if (made === wanted) return;
+    made = wanted;
     const image = new ImageData(160, 90);
     for (let y = 0; y < 90; ++y) {
       for (let x = 0; x < 160; ++x) {
@@ -26,6 +31,10 @@ live.figure('hit_triangle', (figure) => {
       }
     }
     coarse.getContext('2d').putImageData(image, 0, 0);
+  }
+
+  return () => {
+    paint();
     const pen = canvas.getContext('2d');
     pen.clearRect(0, 0, 640, 360);
     pen.drawImage(coarse, 0, 0, 640, 360);
