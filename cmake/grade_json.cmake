@@ -77,6 +77,7 @@ function(firstlight_write_grade_json)
  \"recording\": ${recording},
  \"radiance\": ${radiance},
  \"picture\": \"${PROJECT_BINARY_DIR}/grader/graded_picture\",
+ \"version\": \"${PROJECT_VERSION}\",
  \"compiler_version\": \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\",
  \"callbacks\": {
   ${callbacks}},

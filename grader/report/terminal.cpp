@@ -265,8 +265,10 @@ std::string to_text(const results::Results& results, const TerminalStyle& style)
                         failures.size() - shown == 1 ? "it" : "them");
   }
   if (!results.complete) text += fmt::format("\n{}\n", results::kStopped);
-  return text + fmt::format("\n{}, seed {}, {}. Isolation {}.\n", results.submission, results.seed,
-                            results::times(results), results.isolation);
+  const std::string version = results::version(results);
+  return text + fmt::format("\n{}, seed {}, {}. Isolation {}.{}\n", results.submission,
+                            results.seed, results::times(results), results.isolation,
+                            version.empty() ? "" : " " + version + ".");
 }
 
 }  // namespace grader::report

@@ -166,7 +166,7 @@ struct Results {
   std::string submission;  // the folder
   std::uint64_t seed = 0;
   std::string isolation;              // the tier, "C: rlimits only, not isolated"
-  std::vector<std::string> versions;  // "GNU 12.2.0", "Firstlight 336aeb9": what it was judged with
+  std::vector<std::string> versions;  // what it was judged with: "Firstlight 1.0.0", "GNU 12.2.0"
   std::string command;                // reproduces the run
   std::string dialect;  // what is judged, in the words of a course; empty: the contracts
   double seconds = 0;

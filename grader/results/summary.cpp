@@ -83,6 +83,11 @@ std::string verdict(const Results& results) {
   return text + ".";
 }
 
+std::string version(const Results& results) {
+  const bool known = !results.versions.empty() && results.versions[0].starts_with("Firstlight ");
+  return known ? results.versions[0] : "";
+}
+
 std::string times(const Results& results) {
   std::string text;
   for (const Phase& phase : results.phases) {

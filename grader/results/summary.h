@@ -52,6 +52,9 @@ inline constexpr const char* kStopped =
 // "27.0 s (properties 5.9 s, pictures 21.0 s)"
 std::string times(const Results& results);
 
+// "Firstlight 1.0.0", as `./run --version` prints it; empty in the results of an older grader.
+std::string version(const Results& results);
+
 // The time of the task's promises and pictures together.
 double seconds(const TaskResult& task);
 

@@ -50,6 +50,11 @@ sed "s#^ \"work\": .*# \"work\": \"$folder/work\",#" "$build/grader/grade.json" 
 grade=("$build/grader/grade" --config "$folder/grade.json")
 expect 0 'trace_path' "${grade[@]}" --submission "$folder/good" --html "$folder/page.html" --json "$folder/results.json"
 grep -q '"complete": *true' "$folder/results.json" || complain 'results.json is not complete'
+# What `./run --version` prints is in the text, the page, the results, and, below, in the row of a class.
+version=$(./run --version)
+[[ $version == 'Firstlight '[0-9]*.[0-9]*.[0-9]* ]] || complain "the version is '$version'"
+grep -qF ". $version." "$folder/said" || complain "the text of a report does not end with $version: $(tail -1 "$folder/said")"
+for file in page.html results.json; do grep -qF "$version" "$folder/$file" || complain "$file has no $version"; done
 expect 1 'expected  a hit' "${grade[@]}" hit_triangle adaptive_pixel --no-pictures --submission "$folder/mixed"
 expect 0 '?' "$build/grader/hint" --config "$folder/grade.json" hit_triangle
 
@@ -61,5 +66,6 @@ mkdir -p "$folder/class/ada" "$folder/class/bob"
 cp reference/1_rays/hit_sphere.cpp "$folder/class/ada"
 cp student/1_rays/hit_sphere.cpp "$folder/class/bob"
 expect 0 'bob' "$build/grader/grade_class" "$folder/class" --out "$folder/out" --seed 7 --not-isolated -- hit_sphere --no-pictures
+[ "$(grep -c ",$version"$'\r$' "$folder/out/class.csv")" -eq 2 ] || complain "class.csv has no $version: $(cat "$folder/out/class.csv")"
 
 finish

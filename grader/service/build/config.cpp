@@ -15,7 +15,7 @@ namespace grader::build {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Config, root, work, compiler, compile_flags, link_flags,
                                    recording_flags, framework, recording, radiance, callbacks,
-                                   picture, compiler_version, no_reference)
+                                   picture, version, compiler_version, no_reference)
 
 std::string default_config_path() { return base::programs_folder() + "/grade.json"; }
 

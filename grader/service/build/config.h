@@ -33,6 +33,7 @@ struct Config {
   Paths radiance;                            // objects of the renderer's radiance()
   std::map<std::string, Paths> callbacks;    // by slug or "radiance": objects
   std::string picture;                       // the program graded_picture
+  std::string version;                       // of the project: "1.0.0"
   std::string compiler_version;              // "GNU 12.2.0"
   std::string no_reference;                  // why the reference is all stubs here; else empty
   std::vector<TaskConfig> tasks;             // in the order of the course

@@ -44,7 +44,7 @@ std::string header(const build::Config& config) {
   for (const std::string& part : parts_of(config)) text += fmt::format(",{}_points", part);
   for (const build::TaskConfig& task : config.tasks)
     text += fmt::format(",{0},{0}_points", task.slug);
-  return text + ",problem,note\r\n";
+  return text + ",problem,note,version\r\n";
 }
 
 // The tasks whose part or slug is this name.
@@ -83,7 +83,8 @@ std::string line(const build::Config& config, const Graded& graded, bool anonymo
     text += fmt::format(",{},{}", found.empty() ? "" : results::words(found[0].state),
                         points_of(found));
   }
-  return text + "," + csv_field(graded.problem) + "," + csv_field(note) + "\r\n";
+  return text + "," + csv_field(graded.problem) + "," + csv_field(note) + "," +
+         csv_field(results::version(results)) + "\r\n";
 }
 
 // "handed_in" for handed_in.tar.gz. A folder's name may contain points.

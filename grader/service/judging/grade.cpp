@@ -40,9 +40,10 @@ std::vector<const build::TaskConfig*> to_judge(const build::Config& config,
   return tasks;
 }
 
-// The versions that verdicts depend on, besides the submission.
+// The versions that verdicts depend on, besides the submission. The first is what `./run --version`
+// prints.
 std::vector<std::string> versions(const build::Config& config) {
-  std::vector<std::string> all{config.compiler_version};
+  std::vector<std::string> all{"Firstlight " + config.version, config.compiler_version};
   const process::CommandResult commit = process::run_command(
       {{"/usr/bin/git", "-C", config.root, "describe", "--always", "--dirty=-changed"},
        {"PATH=/usr/bin", "LANG=C.UTF-8"},
@@ -50,7 +51,7 @@ std::vector<std::string> versions(const build::Config& config) {
        "",
        {}},
       std::chrono::seconds(5));
-  if (commit.ok()) all.push_back("Firstlight " + commit.output.substr(0, commit.output.find('\n')));
+  if (commit.ok()) all.push_back("commit " + commit.output.substr(0, commit.output.find('\n')));
   return all;
 }
 

@@ -247,7 +247,7 @@ Results example_results(const std::string& folder) {
   results.submission = kHostile;
   results.seed = 7;
   results.isolation = "A: bubblewrap";
-  results.versions = {"firstlight 7084666", "g++ 12.2.0", "bubblewrap 0.8.0"};
+  results.versions = {"Firstlight 1.2.3", "commit 7084666", "g++ 12.2.0", "bubblewrap 0.8.0"};
   results.command = "./run grade --submission " + kHostile + " --seed 7";
   results.seconds = 27;
   results.phases = {{"properties", 5.9}, {"pictures", 21}};

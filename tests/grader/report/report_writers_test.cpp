@@ -91,7 +91,8 @@ TEST_F(Writers, the_terminal_shows_pictures) {
   EXPECT_THAT(text,
               HasSubstr("  page      ./run grade direct_lights --seed 7 --html report.html\n"));
   EXPECT_THAT(text,
-              HasSubstr("27.0 s (properties 5.9 s, pictures 21.0 s). Isolation A: bubblewrap."));
+              HasSubstr("27.0 s (properties 5.9 s, pictures 21.0 s). Isolation A: bubblewrap. "
+                        "Firstlight 1.2.3.\n"));
   EXPECT_THAT(text, Not(HasSubstr(results::kStopped)));
   EXPECT_THAT(to_text(stopped(), {}), HasSubstr(results::kStopped));
 }
