@@ -46,3 +46,9 @@ copy_known() {
 
 # copy_files FOLDER: copies the files that standard input lists.
 copy_files() { tar -c -f - -T - | tar -x -f - -C "$1"; }
+
+# also_in_container: lists the packages that the handout's container has besides those of scripts/packages.txt.
+also_in_container() { sed -nE 's/^ +\$\(sed .*packages[.]txt\) (.*) && \\$/\1/p' .devcontainer/Dockerfile | tr ' ' '\n'; }
+
+# notes_of VERSION CHANGELOG: prints the section of a version, without its heading.
+notes_of() { awk -v "version=$1" '/^## /{ here = $2 == version || $2 == version ","; next } here' "$2" | sed '/./,$!d'; }

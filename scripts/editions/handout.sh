@@ -92,7 +92,7 @@ cp "$compiled/stamp" "$objects/stamp"
 
 # The folder gets a list of its files, for ./run update, and a repository with a first commit.
 cp scripts/editions/handout_gitignore "$half/.gitignore"
-echo "Firstlight for learners, made of $(git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)" >"$half/docs/edition.txt"
+echo "$(./run --version) for learners, made of $(git describe --always --abbrev=12 --exclude='*' --dirty=-changed 2>/dev/null || echo unknown)" >"$half/docs/edition.txt"
 (cd "$half" && find . -type f -printf '%P\n' | sort | tr '\n' '\0' | xargs -0 sha256sum >"$half.edition")
 mv "$half.edition" "$half/.edition"
 if command -v git >/dev/null; then

@@ -11,7 +11,7 @@ build=$1
 # What README and docs/commands.md name is a command of ./run, the help names it on docs/commands.md, and a line below or another
 # test walks it.
 walked=' render export judge view compare grade hint grade-class '
-elsewhere=' watch debug examples hunt submit writeup cheapest measure converge ladder stability mesh bench handout autograder test lint format tidy bless help convert site --version '
+elsewhere=' watch debug examples hunt submit writeup cheapest measure converge ladder stability mesh bench handout release autograder test lint format tidy bless help convert site --version '
 named() { grep -ohE '\./run [a-z-]+' "$@" | cut -d' ' -f2 | sort -u; }
 for command in $(named README.md docs/commands.md); do
   case $walked$elsewhere in *" $command "*) ;; *) complain "$command is on a page, and nothing walks it" ;; esac
