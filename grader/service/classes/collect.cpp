@@ -7,6 +7,7 @@
 #include "grader/service/classes/compare.h"
 #include "grader/service/classes/outcome_printer.h"
 #include "grader/service/intake/unpack.h"
+#include "grader/service/platforms/learner_page.h"
 #include "grader/service/platforms/worksheet.h"
 #include "pt/file.h"
 
@@ -44,7 +45,7 @@ std::string header(const build::Config& config) {
   for (const std::string& part : parts_of(config)) text += fmt::format(",{}_points", part);
   for (const build::TaskConfig& task : config.tasks)
     text += fmt::format(",{0},{0}_points", task.slug);
-  return text + ",problem,note,version\r\n";
+  return text + ",problem,note,days_late,grade,grade_reason,version\r\n";
 }
 
 // The tasks whose part or slug is this name.
@@ -65,7 +66,7 @@ std::string points_of(const std::vector<results::TaskResult>& tasks) {
 }
 
 std::string line(const build::Config& config, const Graded& graded, bool anonymous,
-                 const std::string& note) {
+                 const std::string& note, const Grade& grade) {
   const bool judged = graded.problem.empty();
   const results::Results& results = graded.results;
   const results::Totals sums = results::totals(results.tasks);
@@ -74,7 +75,8 @@ std::string line(const build::Config& config, const Graded& graded, bool anonymo
                   graded.by.late ? "late" : "");
   text += judged ? fmt::format(",{},{},{},{}", sums.passed, sums.points, sums.max_points,
                                sums.bonus_points)
-                 : ",,,,";
+          : graded.by.absent ? ",0,0,,0"
+                             : ",,,,";
   for (const std::string& part : parts_of(config)) {
     text += "," + points_of(tasks_of(results, &results::TaskResult::part, part));
   }
@@ -83,8 +85,22 @@ std::string line(const build::Config& config, const Graded& graded, bool anonymo
     text += fmt::format(",{},{}", found.empty() ? "" : results::words(found[0].state),
                         points_of(found));
   }
-  return text + "," + csv_field(graded.problem) + "," + csv_field(note) + "," +
-         csv_field(results::version(results)) + "\r\n";
+  return text + fmt::format(",{},{},{},{},{},{}\r\n", csv_field(graded.problem), csv_field(note),
+                            graded.by.days_late > 0 ? std::to_string(graded.by.days_late) : "",
+                            grade.points ? std::to_string(*grade.points) : "",
+                            csv_field(grade.reason), csv_field(results::version(results)));
+}
+
+// The task files that were judged, by slug.
+std::map<std::string, std::string> files_of(const build::Config& config,
+                                            const intake::HandedIn& by) {
+  std::map<std::string, std::string> files;
+  const std::string root = base::submission_root(by.folder);
+  for (const build::TaskConfig& task : config.tasks) {
+    const base::Submitted file = base::read_submitted(root, task.part, task.slug);
+    if (file.present && file.rejected.empty()) files[task.slug] = file.text;
+  }
+  return files;
 }
 
 // "handed_in" for handed_in.tar.gz. A folder's name may contain points.
@@ -102,7 +118,8 @@ Collector::Collector(const build::Config& config, const ClassPlan& plan, std::st
       plan_(plan),
       out_(std::move(out)),
       lines_(plan.everybody.size()),
-      for_platforms_(plan.everybody.size()) {
+      for_platforms_(plan.everybody.size()),
+      overrides_(read_overrides(plan.rules.overrides, with_real_names(plan))) {
   fs::remove_all(out_ + kLikeness);  // of an earlier call
   fs::remove(out_ + kLikeness + ".html");
   for (const Chunk& chunk : plan.chunks) {
@@ -124,34 +141,53 @@ std::string Collector::note_on(std::size_t i, const Graded& graded) const {
   return graded.by.note + (graded.by.note.empty() ? "" : "; ") + equal->second;
 }
 
+Grade Collector::grade(std::size_t i, const Graded& graded) const {
+  const results::Totals sums = results::totals(graded.results.tasks);
+  const auto judged =
+      graded.problem.empty() ? std::optional(sums.points + sums.bonus_points) : std::nullopt;
+  const auto by_hand = overrides_.find(i);
+  return grade_of(graded.by, judged, plan_.rules.penalty,
+                  by_hand == overrides_.end() ? Override() : by_hand->second);
+}
+
+// A file in an anonymous class may name its author.
+void Collector::finish_page(const Graded& graded, const Grade& grade) const {
+  const std::string path = out_ + "/" + graded.by.name + ".html";
+  if (!fs::exists(path)) return;
+  const std::string page = pt::read_file(path);
+  std::map<std::string, std::string> files;
+  if (plan_.real_names.empty()) files = files_of(config_, graded.by);
+  const std::string finished =
+      platforms::finished_page(page, platforms::grade_sentence(grade.points, grade.reason), files);
+  if (finished != page) pt::write_file(path, finished);
+}
+
 void Collector::add(std::size_t i, const Graded& graded) {
   const bool judged = graded.problem.empty(), anonymous = !plan_.real_names.empty();
   const results::Totals sums = results::totals(graded.results.tasks);
   max_points_ = std::max(max_points_, sums.max_points);
-  for_platforms_[i] = {anonymous ? plan_.real_names[i] : graded.by.name, graded.by.id, judged,
-                       sums.points + sums.bonus_points,
-                       judged ? results::verdict(graded.results) : graded.by.problem};
+  const Grade grade = this->grade(i, graded);
+  const std::string sentence = platforms::grade_sentence(grade.points, grade.reason);
+  for_platforms_[i] = {anonymous ? plan_.real_names[i] : graded.by.name, graded.by.id,
+                       grade.points.has_value(), grade.points.value_or(0),
+                       (judged ? results::verdict(graded.results) : graded.by.problem) +
+                           (sentence.empty() ? "" : (judged ? " " : ". ") + sentence)};
   const std::string note = note_on(i, graded);
   page_.add({graded.by.name, anonymous ? "" : graded.by.id, graded.by.name + ".html",
-             graded.problem, graded.by.late, note},
+             graded.problem, graded.by.late, note, graded.by.absent, sentence},
             graded.results);
+  if (judged) finish_page(graded, grade);
   if (judged && plan_.likeness) add_files(graded);
-  lines_[i] = line(config_, graded, anonymous, note);
+  lines_[i] = line(config_, graded, anonymous, note, grade);
   if (std::chrono::steady_clock::now() >= next_table_) write_table();
 }
 
 // Compares the task files of a submission, and keeps them for JPlag.
 void Collector::add_files(const Graded& graded) {
-  std::map<std::string, std::string> files;
+  const std::map<std::string, std::string> files = files_of(config_, graded.by);
   const std::string folder = out_ + kLikeness + "/" + graded.by.name;
-  const std::string root = base::submission_root(graded.by.folder);
-  for (const build::TaskConfig& task : config_.tasks) {
-    const base::Submitted file = base::read_submitted(root, task.part, task.slug);
-    if (!file.present || !file.rejected.empty()) continue;
-    fs::create_directories(folder);
-    pt::write_file(folder + "/" + task.slug + ".cpp", file.text);
-    files[task.slug] = file.text;
-  }
+  if (!files.empty()) fs::create_directories(folder);
+  for (const auto& [slug, text] : files) pt::write_file(folder + "/" + slug + ".cpp", text);
   likeness_.add(graded.by.name, files, graded.results);
 }
 
@@ -253,7 +289,8 @@ std::vector<std::string> Collector::write_returns() {
       paths = found == of_moodle.end() ? std::vector<std::string>() : found->second;
     }
     for (const std::string& path : paths) {
-      if (row.judged && !path.empty()) pages.push_back({path, out_ + "/" + by.name + ".html"});
+      const std::string page = out_ + "/" + by.name + ".html";
+      if (row.judged && !path.empty() && fs::exists(page)) pages.push_back({path, page});
     }
   }
   std::vector<std::string> written;

@@ -151,9 +151,10 @@ void run_chunk(const Judging& judging, const ClassPlan& plan, const Chunk& chunk
   base::for_each(chunk.size(), jobs, [&](std::size_t k) {
     std::vector<intake::HandedIn> equal;
     for (const std::size_t i : chunk[k]) equal.push_back(plan.everybody[i]);
-    const std::vector<Graded> all = grade_equal(judging, equal);
-    const std::lock_guard lock(mutex);
-    for (std::size_t i = 0; i < all.size(); ++i) report(chunk[k][i], all[i]);
+    grade_equal(judging, equal, [&](std::size_t i, const Graded& graded) {
+      const std::lock_guard lock(mutex);
+      report(chunk[k][i], graded);
+    });
   });
 }
 

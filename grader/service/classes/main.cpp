@@ -103,6 +103,9 @@ ClassPlan planned(ClassOptions& options, const build::Config& config,
     request.worksheet = fs::absolute(request.worksheet);
     (void)platforms::read_worksheet(request.worksheet);  // checked before anything is judged
   }
+  for (std::optional<std::string>* file : {&request.rules.roster, &request.rules.overrides}) {
+    if (*file && !(*file)->empty()) **file = fs::absolute(**file);
+  }
   judging::check_points_and_goldens(config);  // else everybody's report would say it
   pt::check_target(request.out + "/class.csv");
   ClassPlan plan =
@@ -127,6 +130,12 @@ void print_seed(const ClassPlan& plan) {
   fmt::print("seed {} (--seed {} gives the same verdicts again)\n", plan.seed, plan.seed);
 }
 
+void print_rules(const ClassPlan& plan) {
+  const std::string rules = sentence_of(plan.rules);
+  if (!rules.empty()) fmt::print("{}\n", rules);
+  for (const std::string& remark : plan.remarks) fmt::print("{}\n", remark);
+}
+
 // Prints the files that the plan leaves out.
 void print_unclaimed(const ClassPlan& plan) {
   const std::vector<std::string>& files = plan.unclaimed;
@@ -146,6 +155,7 @@ int grade_all(ClassOptions options, const std::vector<std::string>& words) {
   const build::Config config = build::load_config(config_of(options));
   const ClassPlan plan = planned(options, config, words, line);
   print_seed(plan);
+  print_rules(plan);
   print_unclaimed(plan);
   EngineRequest& engine = options.engine;
   if (engine.engine == Engine::local && engine.jobs == 0) engine.jobs = processors();
@@ -180,6 +190,7 @@ int make_plan_only(ClassOptions options, const std::vector<std::string>& words) 
   report::StatusLine line;
   const ClassPlan plan = planned(options, build::load_config(config_of(options)), words, line);
   print_seed(plan);
+  print_rules(plan);
   print_unclaimed(plan);
   fmt::print("{} submissions in {} chunks: ./run grade-class chunk {} NUMBER, from 1 to {}\n",
              plan.everybody.size(), plan.chunks.size(), options.plan.out, plan.chunks.size());
@@ -223,7 +234,7 @@ int collect(const ClassOptions& options) {
   std::size_t judged = 0;
   for (std::size_t i = 0; i < plan.everybody.size(); ++i) {
     const Graded graded = graded_before(judging, plan.everybody[i]);
-    judged += graded.problem.empty() ? 1 : 0;
+    judged += graded.problem.empty() || graded.by.absent ? 1 : 0;
     collector.add(i, graded);
   }
   print_unclaimed(plan);

@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -127,10 +129,16 @@ struct Changed : pt::Error {
   using pt::Error::Error;
 };
 
-// A chunk of an earlier plan may still run, here or on another machine.
+// A chunk of an earlier plan may still run, here or on another machine. The plan of a large class takes
+// long to read, so it is read only if the file has changed.
 void check_plan_stays(const Judging& judging) {
-  if (read_plan(judging.out).id != judging.plan)
-    throw Changed("another plan of this class has been made meanwhile");
+  static std::mutex mutex;
+  static std::map<std::string, std::string> ids;  // by the stamp of the file
+  const std::string stamp = base::stamp(judging.out + "/plan.json");
+  const std::lock_guard lock(mutex);
+  std::string& id = ids[stamp];
+  if (id.empty()) id = read_plan(judging.out).id;
+  if (id != judging.plan) throw Changed("another plan of this class has been made meanwhile");
 }
 
 // The reason why this plan could not judge it; else empty.
@@ -268,17 +276,15 @@ bool is_done(const Judging& judging, const intake::HandedIn& by) {
   }
 }
 
-std::vector<Graded> grade_equal(const Judging& judging,
-                                const std::vector<intake::HandedIn>& equal) {
-  std::vector<Graded> all;
+void grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal,
+                 const std::function<void(std::size_t, const Graded&)>& report) {
   std::optional<results::Results> known;
-  for (const intake::HandedIn& by : equal) {
-    all.push_back(grade_one(judging, by, known));
+  for (std::size_t i = 0; i < equal.size(); ++i) {
+    const Graded last = grade_one(judging, equal[i], known);
+    report(i, last);
     // Pictures that were removed from the cache are rendered again.
-    const Graded& last = all.back();
     if (!known && last.problem.empty() && has_its_pictures(last.results)) known = last.results;
   }
-  return all;
 }
 
 }  // namespace grader::classes

@@ -5,6 +5,7 @@
 #include "grader/service/intake/handed_in.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -59,7 +60,9 @@ std::string outcome_so_far(const Judging& judging, const intake::HandedIn& by);
 // Judges submissions whose files are equal, and writes their reports. It reuses earlier reports,
 // results that differ only in points (which are recounted), and results of an equal submission. It
 // waits for another process that judges the same files. If another plan has been made meanwhile, it
-// judges nothing: the new plan may have other files of the same learners.
-std::vector<Graded> grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal);
+// judges nothing: the new plan may have other files of the same learners. `report` gets each
+// outcome as soon as it is known, by its place in `equal`.
+void grade_equal(const Judging& judging, const std::vector<intake::HandedIn>& equal,
+                 const std::function<void(std::size_t, const Graded&)>& report);
 
 }  // namespace grader::classes

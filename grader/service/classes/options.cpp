@@ -52,6 +52,22 @@ void describe_plan(CLI::App& app, ClassOptions& options) {
                  "the grading worksheet that Moodle exported, to be filled in: moodle.csv is then "
                  "that file with the grades; default: one that holds the submissions only")
       ->check(CLI::ExistingFile);
+  app.add_option(
+      "--roster", options.plan.rules.roster,
+      "everybody in the class, a CSV file with the columns id or name, and perhaps due (an "
+      "extension) and handed_in: who has handed in nothing gets a row and 0 points");
+  app.add_option("--due", options.plan.rules.due,
+                 "until when to hand in, as \"2027-01-15 22:00\"; what came later is late");
+  app.add_option("--grace", options.plan.rules.grace,
+                 "minutes after --due that are forgiven; default: 0")
+      ->check(CLI::Range(0, 1000000));
+  app.add_option("--penalty", options.plan.rules.penalty,
+                 "percent of the points that each day takes that has begun after --due; default: 0")
+      ->check(CLI::Range(0, 100));
+  app.add_option("--overrides", options.plan.rules.overrides,
+                 "points by hand, a CSV file with the columns id or name, points and word. These "
+                 "five stay until "
+                 "another call names others; --overrides '' ends them");
   app.add_flag("--anonymous", options.plan.anonymous,
                "numbers in place of names; names.csv tells who is who");
   app.add_flag("--no-likeness", options.plan.no_likeness,

@@ -38,7 +38,7 @@ class OutcomePrinter {
                                       : results::one_line(graded.problem),
                graded.again && graded.problem.empty() ? " (as before)" : "");
     std::fflush(stdout);
-    all_judged_ = all_judged_ && graded.problem.empty();
+    all_judged_ = all_judged_ && (graded.problem.empty() || graded.by.absent);
     if (graded.again) ++known_;
     show();
   }

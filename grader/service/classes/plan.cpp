@@ -140,6 +140,9 @@ json to_json(const intake::HandedIn& by) {
           {"platform", static_cast<int>(by.platform)},
           {"feedback", text_json(by.feedback)},
           {"note", text_json(by.note)},
+          {"handed_in", text_json(by.handed_in)},
+          {"days_late", by.days_late},
+          {"absent", by.absent},
           {"course", year_of(by)}};
 }
 
@@ -169,6 +172,31 @@ void put_back(const json& names, json& plan) {
     plan["everybody"][i].update(names.at("everybody").at(i));
 }
 
+json to_json(const Rules& rules) {
+  return {{"roster", text_json(rules.roster)},
+          {"due", text_json(rules.due)},
+          {"grace", rules.grace},
+          {"penalty", rules.penalty},
+          {"overrides", text_json(rules.overrides)}};
+}
+
+Rules rules_from(const json& from) {
+  return {text_from(from.at("roster")), text_from(from.at("due")), from.at("grace").get<int>(),
+          from.at("penalty").get<int>(), text_from(from.at("overrides"))};
+}
+
+// The rules of the earlier grading, so that nobody's extension or points by hand are lost because an
+// option was not written again.
+Rules earlier_rules(const PlanRequest& request) {
+  for (const std::string& folder : {request.out, request.former}) {
+    const std::string path = folder + "/plan.json";
+    if (folder.empty() || !fs::exists(path)) continue;
+    const json plan = json::parse(pt::read_file(path), nullptr, false);
+    return plan.contains("rules") ? rules_from(plan["rules"]) : Rules();
+  }
+  return {};
+}
+
 intake::HandedIn handed_in_from(const json& from) {
   return {text_from(from.at("name")),
           text_from(from.at("id")),
@@ -178,7 +206,10 @@ intake::HandedIn handed_in_from(const json& from) {
           static_cast<intake::Platform>(from.at("platform").get<int>()),
           text_from(from.at("feedback")),
           text_from(from.at("note")),
-          door::course_since(from.at("course").get<std::string>())};
+          door::course_since(from.at("course").get<std::string>()),
+          text_from(from.at("handed_in")),
+          from.at("days_late").get<int>(),
+          from.at("absent").get<bool>()};
 }
 
 // Throws if the plan is invalid: another program may have written it.
@@ -218,6 +249,12 @@ std::string host_name() {
   return name;
 }
 
+std::vector<intake::HandedIn> with_real_names(const ClassPlan& plan) {
+  std::vector<intake::HandedIn> all = plan.everybody;
+  for (std::size_t i = 0; i < plan.real_names.size(); ++i) all[i].name = plan.real_names[i];
+  return all;
+}
+
 ClassPlan make_plan(const build::Config& config, const std::string& programs,
                     const PlanRequest& request, const intake::Progress& progress) {
   ClassPlan plan;
@@ -230,6 +267,7 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   plan.assignment = request.assignment;
   plan.worksheet = request.worksheet;
   plan.likeness = !request.no_likeness;
+  plan.rules = rules_for(request.rules, earlier_rules(request));
   std::vector<intake::TaskFile> tasks;
   for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
   const std::string unpacked = fs::absolute(folder_to_unpack(request.out));
@@ -242,6 +280,8 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }
+  plan.remarks = apply_rules(plan.rules, plan.everybody, request.anonymous);
+  (void)read_overrides(plan.rules.overrides, plan.everybody);  // checked before anything is judged
   if (request.anonymous) hide_names(plan, request.out);
   if (!plan.former.empty()) plan.former_names = former_names(plan);
   keep_task_files(config, plan, unpacked);
@@ -259,6 +299,7 @@ void write_plan(const ClassPlan& plan, const std::string& out) {
            {"former", text_json(plan.former)},
            {"assignment", text_json(plan.assignment)},
            {"worksheet", text_json(plan.worksheet)},
+           {"rules", to_json(plan.rules)},
            {"likeness", plan.likeness},
            {"salt", plan.salt},
            {"chunks", plan.chunks},
@@ -293,6 +334,7 @@ ClassPlan read_plan(const std::string& out) {
     plan.assignment = text_from(all.at("assignment"));
     plan.id = all.at("id").get<std::string>();
     plan.worksheet = text_from(all.at("worksheet"));
+    plan.rules = rules_from(all.at("rules"));
     plan.likeness = all.at("likeness").get<bool>();
     plan.salt = all.at("salt").get<std::string>();
     plan.chunks = all.at("chunks").get<std::vector<Chunk>>();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/service/build/config.h"
+#include "grader/service/classes/rules.h"
 #include "grader/service/intake/handed_in.h"
 
 #include <cstdint>
@@ -27,6 +28,7 @@ struct ClassPlan {
   std::string former;              // reports of an earlier grading, to compare with; may be empty
   std::string assignment;          // the column in Canvas' table; empty: the export's name
   std::string worksheet;           // Moodle's table, to be filled in; may be empty
+  Rules rules;                     // of the instructor
   bool likeness = true;            // whether to look for what is alike
   std::string salt;                // for numbers in an anonymous class; empty: names are shown
   std::vector<intake::HandedIn> everybody;
@@ -35,15 +37,17 @@ struct ClassPlan {
   std::vector<Chunk> chunks;                // of all submissions that can be judged
   std::vector<std::string> unclaimed;       // files without an owner
   bool work_is_unclaimed = false;           // some of them may be somebody's work
+  std::vector<std::string> remarks{};       // on the roster, to print; they are not written
 };
 
 struct PlanRequest {
   std::string input, out;
   std::vector<std::string> words;
   std::optional<std::uint64_t> seed;
-  std::string former;          // reports of an earlier grading, to compare with; may be empty
-  std::string assignment;      // the column in Canvas' table; empty: the export's name
-  std::string worksheet;       // Moodle's table, to be filled in; may be empty
+  std::string former;      // reports of an earlier grading, to compare with; may be empty
+  std::string assignment;  // the column in Canvas' table; empty: the export's name
+  std::string worksheet;   // Moodle's table, to be filled in; may be empty
+  RulesAsked rules;
   std::size_t chunk_size = 0;  // different submissions per chunk; 0: kMaxChunks chunks at most
   bool anonymous = false;
   bool no_likeness = false;  // do not look for what is alike
@@ -64,6 +68,9 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
 // Reading throws pt::Error if the file is missing or not a plan.
 void write_plan(const ClassPlan& plan, const std::string& out);
 ClassPlan read_plan(const std::string& out);
+
+// Everybody of the plan with their real names.
+std::vector<intake::HandedIn> with_real_names(const ClassPlan& plan);
 
 // The name of this machine.
 std::string host_name();

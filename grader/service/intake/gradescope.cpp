@@ -30,8 +30,9 @@ std::string as_one_id(std::string id) {
 
 Submitters submitters_of(const YAML::Node& entry) {
   std::vector<std::string> names, ids;
+  const std::string handed_in = text_of(entry, ":created_at");
   const YAML::Node people = value_of(entry, ":submitters");
-  if (!people || !people.IsSequence()) return {};
+  if (!people || !people.IsSequence()) return {"", "", handed_in};
   for (const auto& each : people) {
     const YAML::Node& person = each;
     const std::string name = text_of(person, ":name"), number = text_of(person, ":sid");
@@ -39,7 +40,8 @@ Submitters submitters_of(const YAML::Node& entry) {
     if (!name.empty()) names.push_back(name);
     if (!id.empty()) ids.push_back(as_one_id(id));
   }
-  return {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{}", fmt::join(ids, ", "))};
+  return {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{}", fmt::join(ids, ", ")),
+          handed_in};
 }
 
 }  // namespace

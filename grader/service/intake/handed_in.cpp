@@ -255,6 +255,7 @@ class Intake {
       HandedIn by;
       by.name = who.names.empty() ? folder : who.names;
       by.id = who.ids;
+      by.handed_in = who.handed_in;
       by.platform = Platform::gradescope;
       const auto place = folders.find(folder);
       if (place == folders.end()) {

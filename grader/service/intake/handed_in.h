@@ -24,7 +24,13 @@ struct HandedIn {
   std::string feedback{};  // the path under which the platform takes a page back; empty: none
   std::string note{};      // which files count of those that differ, in one sentence; else empty
   std::optional<door::Course> course{};  // of a clone of the course: the files are made of it
+  std::string handed_in{};  // when, "2027-01-15 22:05", or with Z behind it; empty: nothing says it
+  int days_late = 0;        // days that had begun after the time due
+  bool absent = false;      // a roster has the name, and nothing was handed in (kNothing)
 };
+
+// The problem of somebody who handed in nothing.
+inline constexpr const char* kNothing = "nothing was handed in";
 
 // Called when the number of submissions is known, and after each submission.
 using Progress = std::function<void(std::size_t done, std::size_t all)>;

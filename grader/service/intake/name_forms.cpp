@@ -141,6 +141,15 @@ Date date_of(const std::string& text) {
                             time.substr(time.size() - 2))};
 }
 
+// "2027-01-15 22:05" of the digits 202701152205, whatever stands between them; empty if they are others.
+std::string time_of(const std::string& text) {
+  std::string digits = text;
+  std::erase_if(digits, [](unsigned char c) { return std::isdigit(c) == 0; });
+  if (digits.size() < 12) return "";
+  return fmt::format("{}-{}-{} {}:{}", digits.substr(0, 4), digits.substr(4, 2),
+                     digits.substr(6, 2), digits.substr(8, 2), digits.substr(10, 2));
+}
+
 bool is_blackboards_date(std::string_view text) {
   constexpr std::string_view kForm = "0000-00-00-00-00-00";
   return text.size() == kForm.size() &&
@@ -228,6 +237,7 @@ Found d2l(const std::string& name) {
       label.name = name.substr(from, begin - from);
       label.key = label.name + '\n' + label.id;
       label.attempt = date.order;
+      label.handed_in = time_of(date.order);
       label.file = name.substr(std::min(name.size(), end + kBetween.size()));
       return label;
     }
@@ -247,6 +257,7 @@ Found blackboard(const std::string& name) {
   Label label;
   label.name = label.key = name.substr(0, at);
   label.attempt = name.substr(at + kWords.size(), kDate);
+  label.handed_in = time_of(label.attempt);
   const std::string rest = name.substr(at + kWords.size() + kDate);
   label.text = rest == ".txt";
   if (!label.text && (rest.size() < 2 || rest[0] != '_')) return {};

@@ -21,7 +21,14 @@ const std::set<std::string>& reserved_names() {
   return names;
 }
 
-// A group on Gradescope has the IDs of all its members.
+std::map<std::string, int> count_of_names(const std::vector<HandedIn>& all) {
+  std::map<std::string, int> count;
+  for (const HandedIn& each : all) ++count[folded(each.name)];
+  return count;
+}
+
+}  // namespace
+
 std::set<std::string> ids_of(const HandedIn& by) {
   std::set<std::string> ids;
   for (std::size_t at = 0, end = 0; at < by.id.size(); at = end + 2) {
@@ -31,14 +38,6 @@ std::set<std::string> ids_of(const HandedIn& by) {
   }
   return ids;
 }
-
-std::map<std::string, int> count_of_names(const std::vector<HandedIn>& all) {
-  std::map<std::string, int> count;
-  for (const HandedIn& each : all) ++count[folded(each.name)];
-  return count;
-}
-
-}  // namespace
 
 std::vector<HandedIn> with_ids_that_differ(std::vector<HandedIn> all) {
   std::map<std::pair<Platform, std::string>, std::vector<HandedIn*>> owners;

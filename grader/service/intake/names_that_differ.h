@@ -2,9 +2,14 @@
 
 #include "grader/service/intake/handed_in.h"
 
+#include <set>
+#include <string>
 #include <vector>
 
 namespace grader::intake {
+
+// The learner's ID; a group on Gradescope has those of all its members.
+std::set<std::string> ids_of(const HandedIn& by);
 
 // The submissions. Those that have one ID have a problem, and no ID: nobody's grade may go to the
 // learner with another's ID.

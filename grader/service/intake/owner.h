@@ -13,13 +13,14 @@ enum class Platform { none, canvas, moodle, gradescope };
 // The parts of the name that a platform gives to a file or folder of a learner.
 struct Label {
   Platform platform = Platform::none;
-  std::string name, id;  // of the learner; the ID may be empty
-  std::string key;       // the same for all files of one learner, and for no other learner's
-  std::string file;      // with the learner's name for it; empty: it is a folder
-  std::string before;    // the text before that
-  std::string attempt;   // of several attempts, the largest text is the last; empty: not known
-  std::string dated;     // the date of the attempt as it is written
-  std::string order;     // of equal names in one attempt, the largest order counts
+  std::string name, id;   // of the learner; the ID may be empty
+  std::string key;        // the same for all files of one learner, and for no other learner's
+  std::string file;       // with the learner's name for it; empty: it is a folder
+  std::string before;     // the text before that
+  std::string attempt;    // of several attempts, the largest text is the last; empty: not known
+  std::string dated;      // the date of the attempt as it is written
+  std::string handed_in;  // its time, "2027-01-15 22:05"; empty: the name has none
+  std::string order;      // of equal names in one attempt, the largest order counts
   bool late = false;
   bool text = false;    // typed into a form, not uploaded
   bool certain = true;  // the name cannot be read in another way

@@ -80,6 +80,10 @@ Prepared prepared(const std::string& name, const std::vector<Piece>& all,
   Prepared result = folders.size() == 1 ? prepare_submission(name, folders[0], tools)
                                         : prepare_attempts(name, folders, tools);
   result.note += (note.empty() || result.note.empty() ? "" : "; ") + note;
+  if (attempts.size() > 1) {
+    result.note += fmt::format("{}of {} attempts the last counts, task by task",
+                               result.note.empty() ? "" : "; ", attempts.size());
+  }
   return result;
 }
 
@@ -103,6 +107,7 @@ HandedIn one_submission(Pieces pieces, const IntakeTools& tools) {
     return std::tie(a.label.attempt, a.label.order) < std::tie(b.label.attempt, b.label.order);
   });
   const Label& last = all.back().label;
+  by.handed_in = last.handed_in;
   if (by.platform != Platform::none) {
     // The platforms identify a file by the text before the learner's own name for it.
     by.feedback = last.before + (last.file.empty() ? "/report.html" : "report.html");

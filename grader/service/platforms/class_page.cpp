@@ -126,8 +126,12 @@ void set_sums(data& out, const std::vector<ClassPage::Entry>& lines) {
     points.push_back(line.sums.points);
   }
   std::sort(points.begin(), points.end());
-  const std::size_t problems = lines.size() - points.size();
-  out.set("submissions", std::to_string(lines.size()));
+  const auto absent =
+      std::ranges::count_if(lines, [](const auto& line) { return line.row.absent; });
+  const std::size_t handed_in = lines.size() - static_cast<std::size_t>(absent);
+  const std::size_t problems = handed_in - points.size();
+  out.set("submissions", std::to_string(handed_in));
+  out.set("absent", absent > 0 ? data(std::to_string(absent)) : data(false));
   out.set("problems", problems > 0 ? data(std::to_string(problems)) : data(false));
   out.set("max_points", std::to_string(most));
   out.set("median", points.empty() ? "-" : std::to_string(points[points.size() / 2]));
@@ -159,7 +163,11 @@ data row_data(const ClassPage::Entry& line, const std::vector<std::string>& task
   row.set("late", line.row.late);
   row.set("files", line.row.note.empty() ? data(false) : data(results::one_line(line.row.note)));
   row.set("judged", judged);
-  row.set("problem", judged ? data(false) : data(results::one_line(line.row.problem)));
+  row.set("grade", line.row.grade.empty() ? data(false) : data(results::one_line(line.row.grade)));
+  row.set("absent", line.row.absent);
+  row.set("all_tasks", std::to_string(tasks.size()));
+  row.set("problem",
+          judged || line.row.absent ? data(false) : data(results::one_line(line.row.problem)));
   row.set("columns", std::to_string(tasks.size() + 2));
   row.set("address", report::address_of(line.row.page));
   row.set("points", std::to_string(sums.points));

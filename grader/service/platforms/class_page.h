@@ -17,7 +17,9 @@ struct ClassRow {
   std::string page;     // the file of its report, next to the class page
   std::string problem;  // the reason why it was not judged; else empty
   bool late = false;
-  std::string note{};  // on the files that were judged; may be empty
+  std::string note{};   // on the files that were judged; may be empty
+  bool absent = false;  // nothing was handed in: 0 points
+  std::string grade{};  // one sentence where it is not that of the points; may be empty
 };
 
 // The page of a class: a row per submission, and the parts that were hard for the class. Results
