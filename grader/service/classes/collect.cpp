@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::seconds kBetweenTables{2};
 constexpr const char* kLikeness = "/likeness";
 
+using platforms::Likeness;
 using report::csv_field;
 
 // The parts, such as "1_rays", in the order of the course.
@@ -103,6 +104,30 @@ std::map<std::string, std::string> files_of(const build::Config& config,
   return files;
 }
 
+// The stubs, and the solutions that are in the repository.
+std::map<std::string, Likeness::Known> known_files(const build::Config& config) {
+  std::map<std::string, Likeness::Known> all;
+  const auto text_of = [&](const std::string& path) {
+    const std::string file = config.root + "/" + path;
+    return fs::exists(file) ? pt::read_file(file) : "";
+  };
+  for (const build::TaskConfig& task : config.tasks) {
+    const std::string file = task.part + "/" + task.slug + ".cpp";
+    Likeness::Known& known = all[task.slug];
+    known.stub = text_of("student/" + file);
+    std::vector<std::string> paths{"reference/" + file, "fast/" + file};
+    const std::string right = "grader/tasks/" + task.slug + "/right";
+    if (fs::is_directory(config.root + "/" + right)) {
+      for (const auto& entry : fs::directory_iterator(config.root + "/" + right))
+        paths.push_back(right + "/" + entry.path().filename().string());
+    }
+    for (const std::string& path : paths) {
+      if (const std::string text = text_of(path); !text.empty()) known.others[path] = text;
+    }
+  }
+  return all;
+}
+
 // "handed_in" for handed_in.tar.gz. A folder's name may contain points.
 std::string export_name(const std::string& input) {
   fs::path name = fs::path(input).filename();
@@ -119,6 +144,7 @@ Collector::Collector(const build::Config& config, const ClassPlan& plan, std::st
       out_(std::move(out)),
       lines_(plan.everybody.size()),
       for_platforms_(plan.everybody.size()),
+      likeness_(plan.likeness ? known_files(config) : std::map<std::string, Likeness::Known>()),
       overrides_(read_overrides(plan.rules.overrides, with_real_names(plan))) {
   fs::remove_all(out_ + kLikeness);  // of an earlier call
   fs::remove(out_ + kLikeness + ".html");
@@ -203,7 +229,11 @@ std::vector<std::string> Collector::write() {
   pt::write_file(written[1], page_.to_html());
   if (plan_.likeness) {
     written.push_back(out_ + kLikeness + ".html");
-    pt::write_file(written.back(), likeness_.to_html());
+    pt::write_file(written.back(),
+                   likeness_.to_html([this](const std::string& slug, const std::string& name) {
+                     const std::string own = out_ + kLikeness + "/" + name + "/" + slug + ".cpp";
+                     return pt::read_file(fs::exists(own) ? own : config_.root + "/" + name);
+                   }));
   }
   if (!plan_.former.empty()) {
     const platforms::Comparison comparison = compare(plan_, plan_.former, out_);

@@ -1,8 +1,18 @@
-// The shape of a file, and the groups of submissions that are alike.
+// The sketch of a file, and the groups of submissions that are alike.
 #include "grader/service/platforms/likeness.h"
 
-#include "grader/service/platforms/shape.h"
+#include "pt/file.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,25 +31,18 @@ using testing::Not;
 const std::string kSource = R"cpp(
 #include "pt/tasks/hit_box.h"
   namespace pt {
-  namespace {
-  // The distance.
-  struct Slab {
-    double enter, leave;
-    int axis = 0;
-  };
-  double along(const Vec3& a, const Ray& ray) { return dot(a, ray.direction) * 2'000.5e-3; }
-  std::optional<Interval> crossing(double t) {
-    return t > std::max(0.0, t) ? Interval{t, 1} : Interval{};
-  }
-  }  // namespace
   std::optional<Interval> hit_box(const Box& box, const Ray& ray) {
-    const auto [near, far] = std::pair(along(box.min, ray), along(box.max, ray));
-    Slab slab{near, far};
-    const Slab* first = &slab;
-    double a = 1, b = 2;
-    for (int i = 0; i < 3; ++i) a += slab.enter * b + first->leave - slab.axis;
-    const std::string text = R"x(a // b)x";
-    return crossing(a);
+    double enter = ray.t_min, leave = ray.t_max;  // of all slabs
+    for (int axis = 0; axis < 3; ++axis) {
+      const double inverse = 1 / ray.direction[axis];
+      double near = (box.min[axis] - ray.origin[axis]) * inverse;
+      double far = (box.max[axis] - ray.origin[axis]) * inverse;
+      if (near > far) std::swap(near, far);
+      enter = std::max(enter, near);
+      leave = std::min(leave, far);
+    }
+    if (!(enter <= leave)) return std::nullopt;
+    return Interval{enter, leave};
   }
   }  // namespace pt
 )cpp";
@@ -53,49 +56,192 @@ std::string with(std::string text, const std::vector<std::pair<std::string, std:
   return text;
 }
 
-TEST(Shape, ignores_comments_layout_and_own_names) {
-  const std::string shape = shape_of(kSource).text;
+using Prints = std::set<std::uint64_t>;
+
+Prints prints_of(const std::string& source) {
+  Prints all;
+  for (const Print& print : sketch_of(source)) all.insert(print.hash);
+  return all;
+}
+
+Prints without(const Prints& a, const Prints& b) {
+  Prints rest;
+  std::ranges::set_difference(a, b, std::inserter(rest, rest.end()));
+  return rest;
+}
+
+double share_of(const Prints& a, const Prints& b) {
+  const std::size_t common = a.size() - without(a, b).size();
+  return static_cast<double>(common) /
+         static_cast<double>(std::max<std::size_t>(1, std::min(a.size(), b.size())));
+}
+
+TEST(Sketch, ignores_comments_layout_names_and_numbers) {
+  const Prints prints = prints_of(kSource);
+  EXPECT_GT(prints.size(), 15);
   const std::vector<std::vector<std::pair<std::string, std::string>>> same{
-      {{"// The distance.\n", ""}, {"\n  ", "\n\n\t"}},
-      {{" * ", "*/* by */"}, {"{near, far}", "{ near ,\\\nfar }"}},
-      {{"slab", "s"}, {"first", "pointer"}, {"text", "words"}, {"near", "n"}, {"far", "f"}},
-      {{"Slab", "Part"}, {"enter", "lo"}, {"leave", "hi"}, {"axis", "k"}},
-      {{"along", "project"},
-       {"crossing", "cut"},
-       {"int i = 0; i < 3; ++i", "int k = 0; k < 3; ++k"}},
-      {{"const Box& box", "const Box& bounds"}, {"box.m", "bounds.m"}},
-      {{"double a = 1, b = 2", "double a = 1, c = 2"}, {" * b +", " * c +"}}};
-  for (const auto& edits : same) EXPECT_EQ(shape_of(with(kSource, edits)).text, shape);
-  EXPECT_GT(shape_of(kSource).tokens, 150);
+      {{"  // of all slabs", ""}, {"\n  ", "\n\n\t"}},
+      {{"/ ray", "/*by*/ /\\\n ray"}},
+      {{"near", "t0"}, {"far", "t1"}, {"enter", "a"}, {"hit_box", "box_hit"}},
+      {{"1 /", "1.0e+0 /"}, {"\n#include \"pt/tasks/hit_box.h\"", "\n#include <cmath>"}}};
+  for (const auto& edits : same) EXPECT_EQ(prints_of(with(kSource, edits)), prints);
 }
 
-TEST(Shape, keeps_whatever_else_is_written) {
-  const std::string shape = shape_of(kSource).text;
-  const std::vector<std::pair<std::string, std::string>> other{{"dot(", "cross("},
-                                                               {"std::max", "std::min"},
-                                                               {"double along", "float along"},
-                                                               {"2'000.5e-3", "2'000.5e-4"},
-                                                               {"> std", "< std"},
-                                                               {"box.min", "box.max"},
-                                                               {"a // b", "a // c"},
-                                                               {"const Vec3& a", "const Rgb& a"},
-                                                               {"slab.enter * b", "slab.leave * b"},
-                                                               {"= 1, b = 2", "= 2, b = 1"},
-                                                               {"+= slab", "-= slab"},
-                                                               {"ray.direction", "ray.origin"}};
-  for (const auto& edit : other)
-    EXPECT_NE(shape_of(with(kSource, {edit})).text, shape) << edit.first;
+// A window has one print at least, and its hashes depend on its tokens alone.
+TEST(Sketch, shares_a_print_where_nineteen_tokens_are_equal) {
+  const std::string row = "if ( a < b ) { return c + d * 2 ; } else do";  // 19 tokens
+  EXPECT_GT(share_of(prints_of("x = y; " + row + " ++;"), prints_of("for (;;) " + row)), 0);
+  EXPECT_EQ(prints_of("int main() { return 0; }").size(), 0);
 }
 
-// Whatever the bytes of a file are, it has a shape soon.
-TEST(Shape, of_a_hostile_file_takes_no_time) {
-  for (const char* piece :
-       {"&f(", "auto [a", "R\"(", "/*", "\"", "'", "\\", "a\\\n", "\xff", "{struct x"}) {
+TEST(Sketch, has_the_lines_of_its_prints) {
+  const std::vector<Print> prints = sketch_of(kSource);
+  ASSERT_FALSE(prints.empty());
+  EXPECT_GE(prints.front().first_line, 3);
+  EXPECT_LE(prints.back().last_line, 17);
+  for (const Print& print : prints) EXPECT_LE(print.first_line, print.last_line);
+}
+
+// Whatever the bytes of a file are, its sketch is small.
+TEST(Sketch, of_a_hostile_file_is_bounded) {
+  for (const char* piece : {"&f(", "R\"(", "/*", "\"", "'", "\\", "a\\\n", "\\\n", "\xff", "//\\\n",
+                            "1'", ".", "a b "}) {
     std::string text;
-    while (text.size() < (1 << 18)) text += piece;
-    EXPECT_LE(shape_of(text).tokens, text.size());
+    while (text.size() < (1 << 20)) text += piece;
+    EXPECT_LE(sketch_of(text).size(), 1 << 17) << piece;
   }
-  EXPECT_EQ(shape_of("").tokens, 0);
+  EXPECT_TRUE(sketch_of("").empty());
+}
+
+// Copies of the right solutions in degrees, beside pairs of right solutions that have few lines in common.
+std::string renamed(const std::string& source) {
+  static const std::regex name("[A-Za-z_][A-Za-z_0-9]*");
+  static const std::set<std::string> kept{"const",  "double", "for",      "if",   "int",
+                                          "return", "while",  "auto",     "bool", "else",
+                                          "void",   "struct", "namespace"};
+  std::map<std::string, std::string> names;
+  std::string text;
+  auto last = source.cbegin();
+  for (std::sregex_iterator at(source.begin(), source.end(), name), end; at != end; ++at) {
+    text.append(last, source.cbegin() + at->position());
+    const std::string word = at->str();
+    if (word.size() > 2 && !kept.contains(word) && !std::isupper(word[0]))
+      text += names.try_emplace(word, "q" + std::to_string(names.size())).first->second;
+    else
+      text += word;
+    last = source.cbegin() + at->position() + at->length();
+  }
+  return text.append(last, source.cend());
+}
+
+std::vector<std::string> lines_of(const std::string& source) {
+  std::vector<std::string> lines;
+  std::istringstream in(source);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+bool is_statement(const std::string& line) {
+  return line.starts_with("  ") && line.ends_with(";") && line.find("return") == line.npos &&
+         line.find("using") == line.npos;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+std::string with_inert_statements(const std::string& source) {
+  std::vector<std::string> lines;
+  int count = 0;
+  for (const std::string& line : lines_of(source)) {
+    lines.push_back(line);
+    if (is_statement(line) && count++ % 6 == 3) lines.emplace_back("  volatile int inert = 0;");
+  }
+  return joined(lines);
+}
+
+std::string with_lines_swapped(const std::string& source) {
+  std::vector<std::string> lines = lines_of(source);
+  for (std::size_t i = 0, swaps = 0; i + 1 < lines.size() && swaps < 2; ++i) {
+    if (!is_statement(lines[i]) || !is_statement(lines[i + 1])) continue;
+    std::swap(lines[i], lines[i + 1]);
+    i += 4;
+    ++swaps;
+  }
+  return joined(lines);
+}
+
+std::string with_other_loops(const std::string& source) {
+  static const std::regex loop(R"(for \(([^;()]*);([^;]*);([^)]*)\))"), add(R"((\w+) \+= )");
+  return std::regex_replace(std::regex_replace(source, loop, "$1; while ($2)"), add, "$1 = $1 + ");
+}
+
+double common_lines(const std::string& a, const std::string& b) {
+  std::set<std::string> of_a, of_b, common;
+  for (const std::string& line : lines_of(a)) of_a.insert(line);
+  for (const std::string& line : lines_of(b)) of_b.insert(line);
+  std::ranges::set_intersection(of_a, of_b, std::inserter(common, common.end()));
+  return static_cast<double>(common.size()) /
+         static_cast<double>(std::max<std::size_t>(1, std::min(of_a.size(), of_b.size())));
+}
+
+// The share of pairs (copy, independent) in which the copy is more alike.
+double area(const std::vector<double>& copies, const std::vector<double>& independent) {
+  double won = 0;
+  for (const double copy : copies) {
+    for (const double other : independent) won += copy > other ? 1 : copy == other ? 0.5 : 0;
+  }
+  return won / static_cast<double>(copies.size() * independent.size());
+}
+
+TEST(Sketch, tells_copies_from_independent_work) {
+  namespace fs = std::filesystem;
+  const std::string root = FIRSTLIGHT_ROOT;
+  using Edit = std::pair<const char*, std::function<std::string(const std::string&)>>;
+  const std::vector<Edit> edits{
+      {"names and comments", [](const std::string& text) { return text; }},
+      {"and inert statements", with_inert_statements},
+      {"and two pairs of lines swapped", with_lines_swapped},
+      {"and loops rewritten", with_other_loops}};
+  std::vector<double> independent, related;
+  std::vector<std::vector<double>> copies(edits.size());
+  for (const auto& part : fs::directory_iterator(root + "/student")) {
+    if (!fs::is_directory(part)) continue;
+    for (const auto& stub : fs::directory_iterator(part)) {
+      const std::string folder = root + "/grader/tasks/" + stub.path().stem().string() + "/right";
+      if (!fs::is_directory(folder)) continue;
+      std::vector<std::string> texts;
+      std::vector<Prints> sketches;
+      const Prints handed_out = prints_of(pt::read_file(stub.path()));
+      for (const auto& file : fs::directory_iterator(folder)) {
+        texts.push_back(pt::read_file(file.path()));
+        sketches.push_back(without(prints_of(texts.back()), handed_out));
+      }
+      for (std::size_t i = 0; i < texts.size(); ++i) {
+        for (std::size_t k = 0; k < edits.size(); ++k) {
+          const std::string copy = edits[k].second(renamed(texts[i]));
+          copies[k].push_back(share_of(sketches[i], without(prints_of(copy), handed_out)));
+        }
+        for (std::size_t j = i + 1; j < texts.size(); ++j) {
+          const bool is_related = common_lines(texts[i], texts[j]) > 0.5;
+          (is_related ? related : independent).push_back(share_of(sketches[i], sketches[j]));
+        }
+      }
+    }
+  }
+  ASSERT_GT(independent.size(), 100);
+  const double most = *std::ranges::max_element(independent);
+  std::printf("%zu independent pairs, at most %.2f alike; %zu related ones left out\n",
+              independent.size(), most, related.size());
+  for (std::size_t k = 0; k < edits.size(); ++k) {
+    const auto found = std::ranges::count_if(copies[k], [&](double share) { return share > most; });
+    const double auc = area(copies[k], independent);
+    std::printf("%-32s area %.4f, %td of %zu above every independent pair\n", edits[k].first, auc,
+                found, copies[k].size());
+    EXPECT_GT(auc, 0.97) << edits[k].first;
+  }
 }
 
 results::Results run_with(State state, const std::string& got, const std::string& mistake = "") {
@@ -113,6 +259,48 @@ results::Results run_with(State state, const std::string& got, const std::string
   return run;
 }
 
+std::string no_source(const std::string&, const std::string&) { return ""; }
+
+TEST(Likeness, ranks_pairs_and_leaves_out_what_most_have_and_the_stub) {
+  const std::string other =
+      "bool f(int a) { switch (a) { case 1: return a > 2 ? true : false; default: while (a) a -= "
+      "3; "
+      "} do { a *= 2; } while (a < 9); return !a; }";
+  Likeness page(
+      {{"hit_box", {"", {{"reference/2_bvh/hit_box.cpp", kSource}}}}, {"hit_bvh", {kSource, {}}}});
+  const auto add = [&](const std::string& name, const std::string& text) {
+    results::Results run = run_with(State::pass, "");
+    run.tasks.push_back(run.tasks[0]);
+    run.tasks[1].slug = "hit_bvh";
+    page.add(name, {{"hit_box", text}, {"hit_bvh", text}}, run);
+  };
+  add("ada", kSource);
+  add("bob", with(kSource, {{"near", "t0"}, {"    if (t0", "  volatile int x = 0;\n    if (t0"}}));
+  add("cy", other);
+  const auto pairs = page.pairs();
+  ASSERT_EQ(pairs.size(), 1);  // in hit_bvh it is what was handed out
+  EXPECT_EQ(pairs[0].slug + pairs[0].a + pairs[0].b, "hit_boxadabob");
+  EXPECT_GT(pairs[0].share, 0.6);
+  const auto known = page.known_pairs();
+  ASSERT_EQ(known.size(), 2);
+  EXPECT_EQ(known[0].a + known[0].b, "adareference/2_bvh/hit_box.cpp");
+  EXPECT_EQ(known[0].share, 1);
+  const std::string html =
+      page.to_html([](const std::string&, const std::string&) { return kSource; });
+  EXPECT_THAT(html, HasSubstr("if (near &gt; far) std::swap(near, far);</mark>"));
+  add("dan", kSource + "// most have it");
+  add("eve", kSource + "// most have it too");
+  EXPECT_THAT(page.pairs(), IsEmpty());
+}
+
+// Right work that lacks a bonus is not wrong.
+TEST(Likeness, calls_only_wrong_files_wrong_in_the_same_way) {
+  Likeness page;
+  page.add("a", {{"hit_box", "int a;"}}, run_with(State::pass, "7"));
+  page.add("b", {{"hit_box", "int b;"}}, run_with(State::pass, "7"));
+  EXPECT_THAT(page.equal_faults(), IsEmpty());
+}
+
 TEST(Likeness, shows_the_rarest_first_with_the_share_of_the_class) {
   Likeness page;
   const auto add = [&](const std::string& name, const std::string& text, const std::string& got,
@@ -128,25 +316,22 @@ TEST(Likeness, shows_the_rarest_first_with_the_share_of_the_class) {
   add("right", "int d() { return 4; }", "");
   page.add("new", {{"hit_box", "int a = 2;"}}, run_with(State::not_attempted, ""));
 
-  const auto equal = page.equal_files(), shapes = page.equal_shapes(), faults = page.equal_faults();
+  const auto equal = page.equal_files(), faults = page.equal_faults();
   ASSERT_EQ(equal.size(), 1);
   EXPECT_THAT(equal[0].names, ElementsAre("b1", "b2"));
   EXPECT_EQ(equal[0].of, 8);
-  EXPECT_EQ(equal[0].size, 5);
-  ASSERT_EQ(shapes.size(), 2);
-  EXPECT_THAT(shapes[0].names, ElementsAre("fay", "right"));
-  EXPECT_THAT(shapes[1].names, ElementsAre("cy", "dan", "eve"));
-  ASSERT_EQ(faults.size(), 1);
+  ASSERT_EQ(faults.size(), 2);
   EXPECT_THAT(faults[0].names, ElementsAre("b1", "b2", "odd"));
   EXPECT_EQ(faults[0].mistaken, 4);
+  EXPECT_THAT(faults[1].names, ElementsAre("cy", "dan", "eve"));
 
-  const std::string html = page.to_html();
+  const std::string html = page.to_html(no_source);
   EXPECT_THAT(html, HasSubstr("9 submissions were compared"));
   EXPECT_THAT(html, HasSubstr("2 of 8 (25 %)"));
   EXPECT_THAT(html, HasSubstr("Says close. This was named for 4 of 8."));
   EXPECT_THAT(html, HasSubstr("<a href=\"b1.html\">b1</a>, <a href=\"b2.html\">b2</a>"));
   EXPECT_THAT(html, HasSubstr("This page is not an accusation."));
-  EXPECT_LT(html.find("fay.html"), html.find("eve.html"));
+  EXPECT_LT(html.find("odd.html"), html.find("cy.html"));
   EXPECT_THAT(html, Not(HasSubstr("new.html")));
 }
 
@@ -159,14 +344,14 @@ TEST(Likeness, leaves_out_faults_of_other_files) {
     page.add(name, {{"hit_box", std::string("int f() { return ") + name + "; }"}}, run);
   }
   EXPECT_THAT(page.equal_faults(), IsEmpty());
-  EXPECT_THAT(page.to_html(), HasSubstr("<p>None.</p>"));
+  EXPECT_THAT(page.to_html(no_source), HasSubstr("<p>None.</p>"));
 }
 
 TEST(Likeness, names_only_some_of_many) {
   Likeness page;
   for (int i = 10; i < 30; ++i)
     page.add("s<" + std::to_string(i), {{"hit_box", "int a;"}}, run_with(State::pass, ""));
-  const std::string html = page.to_html();
+  const std::string html = page.to_html(no_source);
   EXPECT_THAT(html, HasSubstr("s&lt;21</a> and 8 more"));
   EXPECT_THAT(html, HasSubstr("20 of 20 (100 %)"));
 }
