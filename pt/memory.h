@@ -6,8 +6,10 @@
 #include <fstream>
 #include <string>
 
+#if __has_include(<sys/resource.h>)  // not on Windows
 #include <sys/resource.h>
 #include <unistd.h>
+#endif
 
 namespace pt {
 
@@ -20,6 +22,7 @@ inline std::uint64_t memory_left() {
     if ((word == "MemAvailable:" || word == "SwapFree:") && machine >> value) kibibytes += value;
   }
   std::uint64_t left = kibibytes == 0 ? UINT64_MAX : kibibytes * 1024;
+#if __has_include(<sys/resource.h>)
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
     std::uint64_t pages = 0;
@@ -28,6 +31,7 @@ inline std::uint64_t memory_left() {
     left = std::min<std::uint64_t>(left,
                                    limit.rlim_cur - std::min<std::uint64_t>(used, limit.rlim_cur));
   }
+#endif
   return left;
 }
 

@@ -39,6 +39,8 @@ firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade gra
 firstlight_script_test(site rest site/site.sh NEEDS site grade graded_programs grade_class view view_worker.reference)
 firstlight_script_test(autograder_made rest commands/autograder.sh ARGUMENTS ${PROJECT_BINARY_DIR} made NEEDS grade graded)
 firstlight_script_test(workflows rest commands/workflows.sh ${build} NEEDS grade graded)
+# For Windows, where its compiler is installed.
+firstlight_script_test(windows rest rules/windows.py ${build} NEEDS render)
 firstlight_script_test(release rest commands/release.sh ${build} NEEDS compiled graded reference_objects)
 firstlight_script_test(resume rest commands/resume.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded grade_class)
 firstlight_script_test(faults rest commands/faults.sh ${build} NEEDS grade graded watch hint)

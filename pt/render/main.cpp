@@ -32,7 +32,12 @@ constexpr int kSignalExit = 128;  // added to a signal's number, as shells do
 
 // A second signal of the same kind ends the program at once. One that is ignored stays so (nohup).
 void catch_signals() {
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+#ifdef SIGHUP
+  constexpr int kHangUp = SIGHUP;
+#else
+  constexpr int kHangUp = SIGTERM;  // Windows has no other
+#endif
+  for (const int number : {SIGINT, SIGTERM, kHangUp}) {
     const auto stop = [](int which) {
       interrupted = true;
       caught = which;
