@@ -68,6 +68,11 @@ void describe_plan(CLI::App& app, ClassOptions& options) {
                  "points by hand, a CSV file with the columns id or name, points and word. These "
                  "five stay until "
                  "another call names others; --overrides '' ends them");
+  app.add_option("--forms", options.plan.forms,
+                 "how another platform names what is handed in: a CSV file with the columns "
+                 "platform and pattern, "
+                 "as {name}_{id}_{file}")
+      ->check(CLI::ExistingFile);
   app.add_flag("--anonymous", options.plan.anonymous,
                "numbers in place of names; names.csv tells who is who");
   app.add_flag("--no-likeness", options.plan.no_likeness,

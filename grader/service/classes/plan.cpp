@@ -197,6 +197,16 @@ Rules earlier_rules(const PlanRequest& request) {
   return {};
 }
 
+// The instructor's forms of names before those of the project.
+std::vector<intake::NameForm> name_forms(const build::Config& config, const PlanRequest& request) {
+  std::vector<intake::NameForm> all;
+  for (const std::string& path : {request.forms, config.root + "/grader/name_forms.csv"}) {
+    if (path.empty()) continue;
+    for (intake::NameForm& form : intake::read_name_forms(path)) all.push_back(std::move(form));
+  }
+  return all;
+}
+
 intake::HandedIn handed_in_from(const json& from) {
   return {text_from(from.at("name")),
           text_from(from.at("id")),
@@ -273,7 +283,8 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   const std::string unpacked = fs::absolute(folder_to_unpack(request.out));
   intake::HandedInByAll all = intake::handed_in(
       request.input, unpacked, tasks,
-      intake::boxed_readers(config.root, config.work, programs, request.must_isolate), progress);
+      intake::boxed_readers(config.root, config.work, programs, request.must_isolate), progress,
+      name_forms(config, request));
   plan.everybody = std::move(all.everybody);
   plan.unclaimed = std::move(all.unclaimed);
   plan.work_is_unclaimed = all.work_is_unclaimed;

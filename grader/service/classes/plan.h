@@ -48,6 +48,7 @@ struct PlanRequest {
   std::string assignment;  // the column in Canvas' table; empty: the export's name
   std::string worksheet;   // Moodle's table, to be filled in; may be empty
   RulesAsked rules;
+  std::string forms;           // a table of forms of names; may be empty
   std::size_t chunk_size = 0;  // different submissions per chunk; 0: kMaxChunks chunks at most
   bool anonymous = false;
   bool no_likeness = false;  // do not look for what is alike

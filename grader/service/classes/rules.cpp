@@ -115,8 +115,8 @@ std::vector<std::string> apply_rules(const Rules& rules, std::vector<intake::Han
                                      bool quiet) {
   const auto due = seconds_of(rules.due);
   if (!rules.due.empty() && !due) {
-    throw pt::Error(fmt::format("--due: '{}' is no time; {}", base::printable(rules.due, kShown),
-                                kTimeForm));
+    throw pt::Error(
+        fmt::format("--due: '{}' is no time; {}", base::printable(rules.due, kShown), kTimeForm));
   }
   std::vector<PeopleRow> rows;
   if (!rules.roster.empty()) rows = read_people(rules.roster, {"due", "handed_in"});

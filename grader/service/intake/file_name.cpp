@@ -43,7 +43,7 @@ constexpr std::array kArchives{".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",
 constexpr std::array kOtherPacked{".gz",  ".zst", ".xz",  ".bz2",  ".lz",  ".lzma",
                                   ".z",   ".br",  ".lz4", ".ace",  ".arj", ".lzh",
                                   ".cab", ".dmg", ".iso", ".zipx", ".001", ".z01"};
-constexpr std::array kSources{".cpp", ".cpp.txt"};
+constexpr std::array kSources{".cpp", ".cpp.txt", ".cc", ".cc.txt", ".cxx", ".c++"};
 
 template <class Endings>
 bool has_ending(const std::string& name, const Endings& endings) {

@@ -48,22 +48,24 @@ std::string without_ending(const std::string& name) {
   return stem.ends_with(".tar") ? stem.substr(0, stem.size() - 4) : stem;
 }
 
-Labels labels_of(const std::vector<fs::directory_entry>& entries) {
+Labels labels_of(const std::vector<fs::directory_entry>& entries,
+                 const std::vector<NameForm>& table) {
   std::vector<std::string> files, folders;
   for (const fs::directory_entry& entry : entries) {
     if (is_file(entry)) files.push_back(entry.path().filename());
     if (is_folder(entry)) folders.push_back(entry.path().filename());
   }
-  return {files, folders};
+  return {files, folders, table};
 }
 
 class Intake {
  public:
   Intake(fs::path work, const std::vector<TaskFile>& tasks, const Readers& readers,
-         const Progress& progress)
+         const Progress& progress, const std::vector<NameForm>& table)
       : work_(std::move(work)),
         tools_{tasks, readers, [this] { return next_folder(); }},
-        progress_(progress) {
+        progress_(progress),
+        table_(table) {
     fs::remove_all(work_);
   }
 
@@ -73,7 +75,7 @@ class Intake {
     if (fs::exists(folder / kGradescopeList)) {
       add_gradescope(folder / kGradescopeList, entries);
     } else {
-      labels_ = labels_of(entries);
+      labels_ = labels_of(entries, table_);
       add_all(entries);
     }
     if (result_.everybody.empty()) {
@@ -105,10 +107,10 @@ class Intake {
       const std::vector<fs::directory_entry> entries = entries_of(folder);
       if (entries.size() != 1 || !is_folder(entries[0])) return folder;
       const fs::path& inner = entries[0].path();
-      if (labels_of(entries).of(inner.filename())) return folder;
+      if (labels_of(entries, table_).of(inner.filename())) return folder;
       const std::vector<fs::directory_entry> inside = entries_of(inner);
       const bool has_one = inside.size() == 1;
-      const bool of_platform = has_one && labels_of(inside).of(inside[0].path().filename());
+      const bool of_platform = has_one && labels_of(inside, table_).of(inside[0].path().filename());
       const bool is_class = of_platform || holds_several(inner, tools_.tasks);
       if (is_submission(inner, tools_.tasks) && !is_class) return only_submission(folder, inner);
       if (inside.empty() || (has_one && !is_folder(inside[0]) && !is_class)) return folder;
@@ -290,6 +292,7 @@ class Intake {
   fs::path work_;
   IntakeTools tools_;
   const Progress& progress_;
+  const std::vector<NameForm>& table_;
   std::size_t done_ = 0, all_ = 0;
   int folders_ = 0;
   Labels labels_;
@@ -303,8 +306,8 @@ class Intake {
 
 HandedInByAll handed_in(const std::string& input, const std::string& work,
                         const std::vector<TaskFile>& tasks, const Readers& readers,
-                        const Progress& progress) {
-  return Intake(work, tasks, readers, progress).run(input);
+                        const Progress& progress, const std::vector<NameForm>& table) {
+  return Intake(work, tasks, readers, progress, table).run(input);
 }
 
 }  // namespace grader::intake

@@ -49,6 +49,7 @@ struct HandedInByAll {
 //   Blackboard  hw_ada_attempt_2027-01-15-22-05-00_hit_box.cpp
 //   Autolab     ada@school.edu_3_hit_box.cpp
 //   other       one folder or archive per submission
+//   a table     forms of names that an instructor adds (grader/service/intake/form_table.h)
 // Leading folders that everything shares are skipped. prepare_submission finds the task files.
 // Unpacked or copied files are put below `work`, from where files of an earlier call are removed.
 // A submission that is a link, cannot be read, or is ambiguous has a problem, and so have two with
@@ -56,6 +57,7 @@ struct HandedInByAll {
 // submission, or if the machine is at fault.
 HandedInByAll handed_in(
     const std::string& input, const std::string& work, const std::vector<TaskFile>& tasks,
-    const Readers& readers, const Progress& progress = [](std::size_t, std::size_t) {});
+    const Readers& readers, const Progress& progress = [](std::size_t, std::size_t) {},
+    const std::vector<NameForm>& table = {});
 
 }  // namespace grader::intake

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -109,15 +110,19 @@ Date date_of(const std::string& text) {
     return number.size() == 4 && (number.starts_with("19") || number.starts_with("20"));
   });
   if (year == numbers.end() || numbers.size() < 3 || numbers.size() > 5) return {};
-  constexpr std::array kMonths{"jan", "feb", "mar", "apr", "may", "jun",
-                               "jul", "aug", "sep", "oct", "nov", "dec"};
+  // The beginnings of the months' names in English, and where they differ in French, German and Spanish.
+  constexpr std::array<std::pair<const char*, int>, 25> kMonths{
+      {{"jan", 1},  {"feb", 2},  {"mar", 3},  {"apr", 4},  {"may", 5},  {"jun", 6}, {"jul", 7},
+       {"aug", 8},  {"sep", 9},  {"oct", 10}, {"nov", 11}, {"dec", 12}, {"fév", 2}, {"avr", 4},
+       {"mai", 5},  {"juin", 6}, {"juil", 7}, {"aoû", 8},  {"déc", 12}, {"mär", 3}, {"okt", 10},
+       {"dez", 12}, {"ene", 1},  {"abr", 4},  {"ago", 8}}};
   const std::string first_number = *year;
   const bool year_first = year == numbers.begin();
   numbers.erase(year);
   int month = 0;
   for (const std::string& word : all.words) {
-    for (std::size_t i = 0; i < kMonths.size(); ++i) {
-      if (word.starts_with(kMonths[i])) month = static_cast<int>(i) + 1;
+    for (const auto& [beginning, number] : kMonths) {
+      if (word.starts_with(beginning)) month = number;
     }
   }
   // Behind a month in another language there are three numbers at most: 15, 22, 05.

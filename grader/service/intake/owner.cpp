@@ -19,7 +19,7 @@ namespace {
 constexpr std::array kForms{moodle, d2l, blackboard, autolab, canvas};
 constexpr std::size_t kBlackboard = 2, kCanvas = 4;
 
-using Forms = std::array<Found, kForms.size()>;  // one name, as each platform would read it
+using Forms = std::vector<Found>;  // one name, as each platform would read it
 
 // Reads uncertain names of Canvas again, now that the numbers of the others' files are known.
 void read_again(std::map<std::string, Forms>& all) {
@@ -59,7 +59,8 @@ bool is_consistent(const std::map<std::string, Forms>& all) {
 // The forms, the one that most names have first.
 std::vector<std::size_t> by_number(const std::map<std::string, Forms>& all) {
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < kForms.size(); ++i) order.push_back(i);
+  const std::size_t forms = all.empty() ? 0 : all.begin()->second.size();
+  for (std::size_t i = 0; i < forms; ++i) order.push_back(i);
   std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) {
     return std::ranges::count_if(all, [&](const auto& each) { return each.second[i].has_value(); });
   });
@@ -97,13 +98,17 @@ struct Begun {
 
 }  // namespace
 
-Labels::Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders) {
+Labels::Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders,
+               const std::vector<NameForm>& table) {
   std::map<std::string, Forms> all;
   for (const std::vector<std::string>* names : {&files, &folders}) {
     for (const std::string& name : *names) {
       const auto [entry, is_new] = all.try_emplace(name);
+      if (!is_new) continue;
       const std::size_t forms = names == &files ? kForms.size() : kCanvas;  // Canvas has no folders
-      for (std::size_t i = 0; is_new && i < forms; ++i) entry->second[i] = kForms[i](name);
+      for (std::size_t i = 0; i < forms; ++i) entry->second.push_back(kForms[i](name));
+      entry->second.resize(kForms.size());
+      for (const NameForm& form : table) entry->second.push_back(read_by(form, name));
     }
   }
   read_again(all);

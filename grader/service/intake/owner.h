@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grader/service/intake/form_table.h"
+
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -34,7 +36,9 @@ struct Label {
 class Labels {
  public:
   Labels() = default;
-  Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders);
+  // `table`: more forms, which count where no form of ours has as many names.
+  Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders,
+         const std::vector<NameForm>& table = {});
 
   // Nothing: no platform names its files so.
   std::optional<Label> of(const std::string& name) const;

@@ -80,10 +80,6 @@ Prepared prepared(const std::string& name, const std::vector<Piece>& all,
   Prepared result = folders.size() == 1 ? prepare_submission(name, folders[0], tools)
                                         : prepare_attempts(name, folders, tools);
   result.note += (note.empty() || result.note.empty() ? "" : "; ") + note;
-  if (attempts.size() > 1) {
-    result.note += fmt::format("{}of {} attempts the last counts, task by task",
-                               result.note.empty() ? "" : "; ", attempts.size());
-  }
   return result;
 }
 

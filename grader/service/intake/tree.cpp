@@ -175,7 +175,9 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 
 Meant meant_task(const std::string& name, const std::vector<TaskFile>& tasks) {
   static const std::regex nearly(
-      R"((?:copy of )*(.+?)(?:[ _]?\(\d+\)|-\d+|[ _-]*copy)?\.cpp(?:\.txt)?)");
+      R"((?:copy of |kopie von |copie de |copia de )*(.+?))"
+      R"((?:[ _]?\(\d+\)|-\d+|[ _-]*(?:copy|kopie|copie|copia)|[ _-]+(?:final|last|latest|new|neu|fixed|done|v\d+))*)"
+      R"(\.(?:cpp|cc|cxx|c\+\+)(?:\.txt)?)");
   const std::string small = lower_case(name);
   std::smatch found;
   if (name.size() > 255 || !std::regex_match(small, found, nearly)) return {};

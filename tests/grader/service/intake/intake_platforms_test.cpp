@@ -287,13 +287,59 @@ TEST(labels, are_read_in_every_form_of_every_platform) {
   }
 }
 
+// The forms of a table in a file of its own.
+std::vector<NameForm> forms_of(const std::string& table) {
+  const std::string path = testing::TempDir() + "/forms_" + std::to_string(getpid()) + ".csv";
+  pt::write_file(path, table);
+  return read_name_forms(path);
+}
+
+TEST(labels, of_a_table_have_the_fields_of_the_form) {
+  const auto forms = forms_of(
+      "platform,pattern\nSakai,\"{name}, {any}({id})\"\nours,{id}.{attempt}.{name}-{file}\n");
+  const std::vector<std::string> files{"7.9.Ada-hit_box.cpp", "7.10.Ada-a-b.cpp",
+                                       "8.1.Bob-hit_box.cpp"};
+  const Labels labels(files, {"Lovelace, Ada(alov)", "of nobody"}, forms);
+  const auto first = labels.of(files[0]), second = labels.of(files[1]), third = labels.of(files[2]);
+  ASSERT_TRUE(first && second && third);
+  EXPECT_EQ(first->name + "/" + first->id + "/" + first->file, "Ada/7/hit_box.cpp");
+  EXPECT_EQ(first->key, second->key);
+  EXPECT_NE(first->key, third->key);
+  EXPECT_LT(first->attempt, second->attempt);  // 9 before 10
+  EXPECT_EQ(first->rival_key, "");
+  EXPECT_EQ(second->rival_name, "Ada-a");  // a learner may have written either
+  const auto folder = labels.of("Lovelace, Ada(alov)");
+  ASSERT_TRUE(folder);
+  EXPECT_EQ(folder->name + "/" + folder->id + "/" + folder->file, "Lovelace/alov/");
+  EXPECT_FALSE(labels.of("of nobody"));
+  EXPECT_FALSE(Labels(files, {}).of(files[0]));
+}
+
+TEST(labels, of_a_bad_table_are_refused_with_the_line) {
+  for (const auto& [table, words] : std::vector<std::pair<std::string, std::string>>{
+           {"form\nx\n", ":1: it has no column 'platform'"},
+           {"platform,pattern\na\n", ":2: it needs a platform and a pattern"},
+           {"platform,pattern\na,{name}\nb,{nom}_{file}\n",
+            ":3: '{nom}_{file}': there is no field {nom}"},
+           {"platform,pattern\na,{file}\n", "it has no {name} and no {id}"},
+           {"platform,pattern\na,{name}{file}\n", "two fields need some text between them"},
+           {"platform,pattern\na,{name}_{name}\n", "it has a field twice"}}) {
+    EXPECT_THAT([&table = table] { forms_of(table); },
+                testing::ThrowsMessage<pt::Error>(HasSubstr(words)));
+  }
+}
+
 TEST(labels, of_several_attempts_are_in_the_order_of_their_dates) {
   for (const auto& dates : std::vector<std::vector<std::string>>{
            {"Jan 9, 2027 905 AM", "Jan 15, 2027 1205 AM", "Jan 15, 2027 905 AM",
             "Jan 15, 2027 1205 PM", "Jan 15, 2027 905 PM", "Feb 1, 2027 905 AM"},
            {"9 January, 2027 905 a.m.", "15 January, 2027 1205 AM", "15 January, 2027 905 p.m."},
            {"Dec 31, 2026 2359", "Jan 1, 2027 0005", "Jan 1, 2027 2005"},
-           {"2027-01-09 22 05", "2027-01-15 09 05", "2027-02-01 00 05"}}) {
+           {"2027-01-09 22 05", "2027-01-15 09 05", "2027-02-01 00 05"},
+           {"9 janv. 2027 22 05", "1 févr. 2027 09 05", "1 avr. 2027 09 05", "3 juin 2027 09 05",
+            "2 juil. 2027 09 05", "1 août 2027 09 05", "1 déc. 2027 09 05"},
+           {"9 Januar 2027 2205", "1 März 2027 0905", "1 Mai 2027 0905", "1 Okt 2027 0905",
+            "1 Dez 2027 0905"}}) {
     std::string before;
     for (const std::string& date : dates) {
       const std::string name = "1-2 - Ada - " + date + " - x.cpp";
@@ -440,8 +486,8 @@ TEST_F(Intake, of_several_attempts_the_last_counts) {
                 HasSubstr("cannot be unpacked"));
   }
   fs::remove_all(in());
-  add("1-2 - Ada - 9 mai 2027 905 - hit_box.cpp", "?");
-  add("1-2 - Ada - 1 juin 2027 905 - hit_box.cpp", "?");
+  add("1-2 - Ada - 9 toukokuuta 2027 905 - hit_box.cpp", "?");
+  add("1-2 - Ada - 1 kesäkuuta 2027 905 - hit_box.cpp", "?");
   EXPECT_THAT(seen()["Ada"].problem, HasSubstr("their dates cannot be read"));
 }
 
