@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <ctime>
+#include <iterator>
 #include <regex>
 #include <utility>
 
@@ -49,7 +50,7 @@ std::string some_of(const std::vector<std::string>& names, bool quiet) {
                      end == names.end() ? "" : ", ...");
 }
 
-// What the roster says about a submission; of a group, what its members have in common.
+// The roster's row of a submission; of a group, the latest times of its members.
 struct Listed {
   bool is = false;
   std::optional<std::int64_t> due, handed_in;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// What the instructor of a class says: who is in it, until when they hand in, and points by hand.
+// The instructor says who is in a class, until when they hand in, and points by hand.
 
 namespace grader::classes {
 

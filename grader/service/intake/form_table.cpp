@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxTable = std::size_t{1} << 20;  // bytes
 constexpr std::size_t kLongestName = 255, kMostFields = 8, kShownPattern = 80;
 
-// How a field is written as a regular expression; a `?` behind it makes it short.
+// The regular expression of each field; a `?` behind it makes it short.
 const std::map<std::string, std::string>& kinds() {
   static const std::map<std::string, std::string> all{{"name", ".+"},
                                                       {"id", "[^_() ]+"},

@@ -18,7 +18,7 @@ namespace grader::platforms {
 // accusation.
 class Likeness {
  public:
-  // What learners may have had before them.
+  // The files of a task that learners may have had before them.
   struct Known {
     std::string stub;  // as it was handed out: it is left out of all sketches
     std::map<std::string, std::string> others;  // solutions in the repository, by path

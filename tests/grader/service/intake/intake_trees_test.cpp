@@ -229,7 +229,7 @@ TEST_F(Intake, what_counts_of_several_files_is_said) {
   EXPECT_EQ(all["eve"].note, "");
 }
 
-// What systems in other languages call a copy, what people call the last version, and other endings.
+// Systems in other languages have other words for a copy, and people for the last version.
 TEST_F(Intake, a_name_that_is_nearly_right_is_taken_where_it_is_the_only_one) {
   for (const char* name :
        {"hit_box.cc", "Hit-Box.cxx", "hit_box - Kopie.cpp", "hit_box - Copie (2).cpp",
