@@ -1,5 +1,9 @@
 #!/usr/bin/env python3
-"""class_cost.py GRADER CLASS [--jobs N] [-- OPTIONS of grade]: measures what it costs to grade a class from nothing.
+"""class_cost.py GRADER CLASS [--make N] [--jobs N] [-- OPTIONS of grade]: measures what it costs to grade a class from nothing.
+
+--make N first writes a class of N submissions to CLASS, a new folder: a third of the task files is right, a third has a known
+mistake, the rest are of other right solutions, and no two files are equal. `./run grade --submission reference` has to have run
+before, for build/mistakes.
 
 Prints processor seconds per submission by phase, submissions per hour on N processors if nothing else runs on them,
 and bytes. GRADER is the folder with grade_class and its grade.json (build/check/grader). Processor time and not wall time is
@@ -10,6 +14,7 @@ import csv
 import json
 import os
 import pathlib
+import random
 import re
 import resource
 import shutil
@@ -52,6 +57,25 @@ def prepare(grader, here):
     os.symlink(grader / "unpack", here / "unpack")
 
 
+def make_class(folder, count):
+    """Submissions whose files all differ, the same ones every time."""
+    draw = random.Random(7)
+    root = pathlib.Path(__file__).resolve().parent.parent
+    tasks = sorted(path for path in (root / "reference").glob("[0-9]_*/*.cpp"))
+    for number in range(1, count + 1):
+        for reference in tasks:
+            slug = reference.stem
+            if not (root / "grader/tasks" / slug).is_dir():
+                continue
+            wrong = sorted((root / "build/mistakes" / slug).glob("*/*.cpp"))
+            other = sorted((root / "grader/tasks" / slug / "right").glob("*.cpp"))
+            kinds = [kind for kind in ([reference], wrong, other) if kind]
+            source = draw.choice(draw.choice(kinds)).read_text()
+            to = folder / f"learner {number}" / reference.parent.name / reference.name
+            to.parent.mkdir(parents=True, exist_ok=True)
+            to.write_text(f"{source}// of learner {number}\n")
+
+
 def size(paths):
     return sum(path.stat().st_size for path in paths)
 
@@ -61,10 +85,15 @@ def main():
     parser.add_argument("grader", type=pathlib.Path)
     parser.add_argument("classes", type=pathlib.Path, metavar="class")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--make", type=int, help="first write a class of that many submissions")
     parser.add_argument("--keep", type=pathlib.Path, help="a new folder for the reports")
     words = sys.argv[1:]
     options = parser.parse_args(words[: words.index("--")] if "--" in words else words)
     more = words[words.index("--") :] if "--" in words else []
+    if options.make:
+        if options.classes.exists():
+            sys.exit(f"{options.classes}: it exists; --make needs a new folder")
+        make_class(options.classes, options.make)
     here = pathlib.Path(tempfile.mkdtemp())
     try:
         prepare(options.grader.resolve(), here)
