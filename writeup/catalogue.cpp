@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t kMaxCatalogue = std::size_t{1} << 22;
 
 const std::set<std::string> kSettings{
-    "id",   "label",  "scene",    "size",          "frame",    "samples",    "adaptive",
-    "seed", "engine", "normals",  "light_samples", "survival", "hemisphere", "bounces",
-    "look", "camera", "exposure", "mistake",       "time_of",  "in_bounces", "show"};
+    "id",     "label",    "scene",         "size",     "frame",      "samples", "adaptive", "seed",
+    "engine", "normals",  "light_samples", "survival", "hemisphere", "bounces", "look",     "crop",
+    "camera", "exposure", "mistake",       "time_of",  "in_bounces", "show"};
 const std::set<std::string> kFigure{"id",     "part",      "title",    "kind",     "caption",
                                     "flip",   "small",     "settings", "pictures", "golden",
                                     "scenes", "file",      "seconds",  "error",    "curve",
@@ -32,10 +32,20 @@ Look look_of(const std::string& word) {
   static const std::map<std::string, Look> looks{{"radiance", Look::radiance},
                                                  {"rates", Look::rates},
                                                  {"boxes", Look::boxes},
-                                                 {"predicted", Look::predicted}};
+                                                 {"predicted", Look::predicted},
+                                                 {"error", Look::error}};
   const auto found = looks.find(word);
   if (found == looks.end()) throw pt::Error("there is no look '" + word + "'");
   return found->second;
+}
+
+// [left, top, width, height].
+Crop crop_from(const json& in) {
+  const Crop crop{in.at(0), in.at(1), in.at(2), in.at(3)};
+  const bool inside = crop.left >= 0 && crop.top >= 0 && crop.width > 0 && crop.height > 0 &&
+                      crop.left + crop.width <= 1 && crop.top + crop.height <= 1;
+  if (!inside) throw pt::Error("'crop' is not a part of the picture: numbers from 0 to 1");
+  return crop;
 }
 
 constexpr int kGoldenSeeds[] = {1001, 1002};  // no picture has them
@@ -79,6 +89,7 @@ Picture picture_from(const json& figure, const json& own, const json& defaults) 
   picture.scene = all.at("scene");
   picture.spec = measure::spec_from_json(all);
   picture.look = look_of(all.value("look", "radiance"));
+  if (all.contains("crop")) picture.crop = crop_from(all.at("crop"));
   picture.in_bounces = all.value("in_bounces", false);
   picture.exposure = all.value("exposure", 1.0);
   picture.mistake = all.value("mistake", "");

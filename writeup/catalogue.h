@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,14 @@ struct SceneSource {
   std::string camera = "course";  // for our own file: "file" if it has its own camera
 };
 
-// The colouring of a render's numbers.
-enum class Look { radiance, rates, boxes, predicted };
+// What is shown of a render: its light, or a number of each pixel in colours. `error` is the distance from the goldens, as a
+// part of the pixel's brightness.
+enum class Look { radiance, rates, boxes, predicted, error };
+
+// A part of a picture: from the left and from the top, its width and its height, all as parts of the picture's.
+struct Crop {
+  double left = 0, top = 0, width = 1, height = 1;
+};
 
 // In place of a mistake: rendered by the reference, whoever is written about.
 inline constexpr const char* kReference = "reference";
@@ -34,7 +41,8 @@ struct Picture {
   std::string scene;   // name in the catalogue
   measure::Spec spec;  // in full quality; the scene's path is filled in later
   Look look = Look::radiance;
-  bool in_bounces = false;  // from one render of all bounces, which other pictures share
+  std::optional<Crop> crop;  // only this part is shown and judged
+  bool in_bounces = false;   // from one render of all bounces, which other pictures share
   double exposure = 1;
   std::string mistake;  // rendered by the reference with this wrong solution in it; or kReference
   bool golden = false;  // errors are measured against it, also in a draft

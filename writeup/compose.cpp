@@ -41,13 +41,36 @@ Composed compose(const Store& store, const std::vector<Unit>& units) {
   return result;
 }
 
-std::optional<pt::Goldens> goldens_of(const Plan& plan, const Figure& figure) {
+Rendered cropped(const Rendered& whole, const Crop& crop) {
+  const auto pixels = [](double part, int all) {
+    return static_cast<int>(std::lround(part * all));
+  };
+  const pt::Film& film = whole.film;
+  const int left = std::min(pixels(crop.left, film.width), film.width - 1);
+  const int top = std::min(pixels(crop.top, film.height), film.height - 1);
+  const int width = std::clamp(pixels(crop.width, film.width), 1, film.width - left);
+  const int height = std::clamp(pixels(crop.height, film.height), 1, film.height - top);
+  Rendered part = whole;
+  part.film = pt::Film(width, height);
+  part.boxes.clear();
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      part.film.set(x, y, film.at(left + x, top + y));
+      if (whole.boxes.empty()) continue;
+      part.boxes.push_back(whole.boxes[static_cast<std::size_t>(top + y) * film.width + left + x]);
+    }
+  }
+  return part;
+}
+
+std::optional<pt::Goldens> goldens_of(const Plan& plan, const Figure& figure,
+                                      const std::optional<Crop>& crop) {
   std::vector<std::vector<double>> both;
   for (const Picture& golden : figure.goldens) {
     if (!plan.unavailable(golden).empty()) return {};
     const Composed composed = compose(plan.store(), plan.units(figure, golden));
     if (!composed.complete || !composed.sum.missing.empty()) return {};
-    both.push_back(pt::luminances(composed.sum.film));
+    both.push_back(pt::luminances(crop ? cropped(composed.sum, *crop).film : composed.sum.film));
   }
   if (both.size() != 2) return {};
   return pt::Goldens(std::move(both[0]), std::move(both[1]));

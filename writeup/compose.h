@@ -17,8 +17,12 @@ struct Composed {
 
 Composed compose(const Store& store, const std::vector<Unit>& units);
 
-// The figure's goldens; nothing if it has none, or if they are not made.
-std::optional<pt::Goldens> goldens_of(const Plan& plan, const Figure& figure);
+// The pixels of a part. It has one at least.
+Rendered cropped(const Rendered& whole, const Crop& crop);
+
+// The figure's goldens, or a part of them; nothing if it has none, or if they are not made.
+std::optional<pt::Goldens> goldens_of(const Plan& plan, const Figure& figure,
+                                      const std::optional<Crop>& crop = {});
 
 // The accuracy of a picture of as many pixels.
 pt::Accuracy accuracy(const Rendered& picture, const pt::Goldens& goldens);

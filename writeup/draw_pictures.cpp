@@ -106,12 +106,31 @@ class Artist {
 
   Composed of(const Picture& picture) const {
     if (!plan_.unavailable(picture).empty()) return {};
-    return compose(plan_.store(), units(picture));
+    Composed composed = compose(plan_.store(), units(picture));
+    if (picture.crop && composed.rows > 0) composed.sum = cropped(composed.sum, *picture.crop);
+    return composed;
+  }
+
+  // The goldens of the pixels that the picture shows; nothing if they are of another size.
+  std::optional<pt::Goldens> goldens_for(const Picture& picture, const Rendered& sum) const {
+    std::optional<pt::Goldens> goldens =
+        picture.crop ? goldens_of(plan_, figure_, picture.crop) : goldens_;
+    if (goldens && goldens->size() != sum.film.pixels.size()) goldens.reset();
+    return goldens;
   }
 
   std::vector<float> values(const Picture& picture, const Rendered& sum) const {
     if (picture.look == Look::boxes) return sum.boxes;
     std::vector<float> values;
+    if (picture.look == Look::error) {
+      const std::optional<pt::Goldens> goldens = goldens_for(picture, sum);
+      const std::vector<double> light = pt::luminances(sum.film);
+      for (std::size_t i = 0; i < (goldens ? light.size() : 0); ++i) {
+        const double error = std::abs(goldens->signed_error(i, light[i]));
+        values.push_back(static_cast<float>(100 * std::min(error, 1.0)));
+      }
+      return values;
+    }
     if (picture.look == Look::predicted) {
       const pt::AdaptiveSettings settings = *plan_.units(figure_, picture)[0].spec.adaptive;
       const std::vector<int> counts = predicted_samples(sum.film, settings);
@@ -178,7 +197,8 @@ class Artist {
       return fmt::format("not written yet: {}", fmt::join(missing, ", "));
     }
     const bool unknown = (picture.look == Look::predicted && !sum.has_variance) ||
-                         (picture.look == Look::boxes && (sum.boxes.empty() || sum.boxes[0] < 0));
+                         (picture.look == Look::boxes && (sum.boxes.empty() || sum.boxes[0] < 0)) ||
+                         (picture.look == Look::error && !goldens_for(picture, sum));
     return unknown ? kNotMeasured : "";
   }
 
@@ -208,6 +228,7 @@ class Artist {
     }
     if (picture.look != Look::radiance) {
       std::vector<float> all = values(picture, composed.sum);
+      if (all.empty()) return;
       enter_ratio(picture, all);
       double sum = 0;
       for (const float value : all) sum += value;
@@ -218,25 +239,30 @@ class Artist {
     } else if (lamps_ && lamps_->sum.film.pixels.size() == composed.sum.film.pixels.size()) {
       enter("lamp", fmt::format("{:.4f}", mean_on_lamps(composed.sum.film, lamps_->sum.film)));
     }
-    const bool as_many = goldens_ && goldens_->size() == composed.sum.film.pixels.size();
-    if (as_many && picture.look == Look::radiance) enter_accuracy(picture, composed, shown);
+    const std::optional<pt::Goldens> goldens = goldens_for(picture, composed.sum);
+    if (goldens && picture.look == Look::radiance) {
+      enter_accuracy(picture, composed, *goldens, shown);
+    }
   }
 
   // Enters the error and its parts, and the noise of single pixels.
-  void enter_accuracy(const Picture& picture, const Composed& composed, Shown& shown) {
+  void enter_accuracy(const Picture& picture, const Composed& composed, const pt::Goldens& goldens,
+                      Shown& shown) {
     const auto enter = [&](const char* name, double part) {
       drawn_.numbers[picture.id + "." + name] = short_number(100 * part);
     };
-    const pt::Accuracy accuracy = writeup::accuracy(composed.sum, *goldens_);
+    const pt::Accuracy accuracy = writeup::accuracy(composed.sum, goldens);
     shown.facts += "; " + accuracy_text(accuracy, picture.spec.adaptive.has_value());
     enter("error", accuracy.error.value);
     enter("error_pm", accuracy.error.error);
     drawn_.numbers[picture.id + ".bias"] = fmt::format("{:.2g}", 100 * accuracy.bias.value);
     enter("bias_pm", accuracy.bias.error);
     // A smaller tolerance makes the bias of adaptive sampling smaller.
-    errors_.push_back({label(picture), composed.sum.seconds, accuracy.error,
-                       accuracy.is_wrong() && !picture.spec.adaptive});
-    const Black black = on_black(composed.sum, *goldens_);
+    if (!picture.crop) {
+      errors_.push_back({label(picture), composed.sum.seconds, accuracy.error,
+                         accuracy.is_wrong() && !picture.spec.adaptive});
+    }
+    const Black black = on_black(composed.sum, goldens);
     enter("black_pixels", black.pixels);
     enter("black_samples", black.samples);
     if (!accuracy.noise) return;
@@ -244,7 +270,7 @@ class Artist {
       enter("noise", accuracy.noise->value);
       drawn_.numbers[picture.id + ".wrong"] = accuracy.is_wrong() ? "1" : "0";
     }
-    const pt::PixelErrors pixels = pixel_noise(composed.sum, *goldens_);
+    const pt::PixelErrors pixels = pixel_noise(composed.sum, goldens);
     enter("pixel_median", pixels.median);
     enter("pixel_most", pixels.most);
     enter("pixel_largest", pixels.largest);

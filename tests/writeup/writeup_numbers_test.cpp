@@ -519,6 +519,34 @@ TEST_F(MadeUp, a_method_costs_time_times_the_square_of_its_error) {
   EXPECT_THAT(got.pictures.at(1).facts, testing::EndsWith("; error 22.000 \u00b1 0.000 %"));
 }
 
+// The left half is right, the right half has half the light.
+TEST_F(MadeUp, a_part_of_a_picture_has_its_own_error_and_a_map_shows_that_of_each_pixel) {
+  Figure figure;
+  figure.id = "parts";
+  figure.kind = "pictures";
+  figure.goldens = goldens();
+  figure.pictures = {picture("left", 16), picture("right", 16), picture("map", 16)};
+  figure.pictures[0].crop = {0, 0, .5, 1};
+  figure.pictures[1].crop = {.5, 0, .5, 1};
+  figure.pictures[2].look = Look::error;
+  const Drawn got = drawn_by(figure, draw_pictures, [&](const Plan& plan) {
+    const auto make = [&](const Picture& of, double right) {
+      render(plan.store(), plan.units(figure, of).at(0), 1, {},
+             {pixel(kUnit, 16), pixel(kUnit, 16), pixel(right, 16), pixel(right, 16)});
+    };
+    for (const Picture& golden : figure.goldens) make(golden, kUnit);
+    make(figure.pictures[0], kUnit / 2);
+  });
+  EXPECT_EQ(got.problems, std::vector<std::string>{});
+  EXPECT_EQ(got.numbers.at("left.error"), "0");
+  EXPECT_EQ(got.numbers.at("right.bias"), "-50");
+  EXPECT_EQ(got.numbers.at("map.average"), "24.0");  // 25 / 1.04
+  EXPECT_EQ(got.numbers.at("map.most"), "48.1");
+  EXPECT_EQ(got.pictures.at(1).width, 2);
+  EXPECT_EQ(got.pictures.at(1).height, 3);
+  EXPECT_EQ(got.rows, std::vector<std::vector<std::string>>{});
+}
+
 // In a draft, pictures that differ in s are different pictures, and their labels are true.
 TEST_F(MadeUp, a_draft_has_the_samples_of_its_labels) {
   Figure figure;
