@@ -24,7 +24,7 @@ struct SceneSource {
   std::string camera = "course";  // for our own file: "file" if it has its own camera
 };
 
-// What is shown of a render: its light, or a number of each pixel in colours. `error` is the distance from the goldens, as a
+// A render is shown as its light, or as a number of each pixel in colours. `error` is the distance from the goldens, as a
 // part of the pixel's brightness.
 enum class Look { radiance, rates, boxes, predicted, error };
 

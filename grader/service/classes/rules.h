@@ -54,7 +54,7 @@ struct Override {
 std::map<std::size_t, Override> read_overrides(const std::string& path,
                                                const std::vector<intake::HandedIn>& everybody);
 
-// What goes back to the learner.
+// The points that go back to the learner.
 struct Grade {
   std::optional<int> points;  // with bonus; nothing: it could not be judged
   std::string reason;         // why these are not the points that were judged; else empty
