@@ -231,6 +231,9 @@ std::vector<std::string> Collector::write() {
     written.push_back(out_ + kLikeness + ".html");
     pt::write_file(written.back(),
                    likeness_.to_html([this](const std::string& slug, const std::string& name) {
+                     // Code may name its author.
+                     if (!plan_.real_names.empty())
+                       return std::string("// left out: the class is anonymous");
                      const std::string own = out_ + kLikeness + "/" + name + "/" + slug + ".cpp";
                      return pt::read_file(fs::exists(own) ? own : config_.root + "/" + name);
                    }));
