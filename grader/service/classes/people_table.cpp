@@ -29,10 +29,6 @@ std::string trimmed(const std::string& text) {
   return first == text.npos ? "" : text.substr(first, last - first + 1);
 }
 
-std::string who(const PeopleRow& row) {
-  return base::printable(row.name.empty() ? row.id : row.name, kMaxShown);
-}
-
 // The name that the platform has: that of a report may have the ID behind it, as in "Ada (55)".
 std::string name_of(const intake::HandedIn& by) {
   const std::string behind = " (" + by.id + ")";
@@ -112,6 +108,10 @@ class Finder {
 };
 
 }  // namespace
+
+std::string who(const PeopleRow& row) {
+  return base::printable(row.name.empty() ? row.id : row.name, kMaxShown);
+}
 
 std::vector<PeopleRow> read_people(const std::string& path,
                                    const std::vector<std::string>& others) {

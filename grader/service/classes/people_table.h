@@ -19,6 +19,9 @@ struct PeopleRow {
   std::map<std::string, std::string> cells;
 };
 
+// The name of the row, else its ID, to be printed: a long one is cut off.
+std::string who(const PeopleRow& row);
+
 // Reads a CSV file whose first line names the columns, in upper or lower case: `id` or `name`, and
 // `others`. Columns with other names are left out. Throws pt::Error, with the line, for another table, and
 // for a row that names nobody, or somebody who has a row already.

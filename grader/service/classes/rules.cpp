@@ -64,7 +64,7 @@ void compare_with_due(intake::HandedIn& by, std::int64_t due, std::int64_t hande
 
 void add(std::string& note, const std::string& more) { note += (note.empty() ? "" : "; ") + more; }
 
-std::string names_of(const intake::HandedIn& by) { return base::printable(by.name, kShown); }
+std::string shown_name(const intake::HandedIn& by) { return base::printable(by.name, kShown); }
 
 }  // namespace
 
@@ -151,13 +151,13 @@ std::vector<std::string> apply_rules(const Rules& rules, std::vector<intake::Han
     intake::HandedIn& by = everybody[i];
     const Listed& one = listed[i];
     if (!rules.roster.empty() && !one.is) {
-      strays.push_back(names_of(by));
+      strays.push_back(shown_name(by));
       add(by.note, "not in the roster");
     }
     const auto until = one.is ? one.due : due;
     const auto from = one.handed_in ? one.handed_in : seconds_of(by.handed_in);
     if (until && from) compare_with_due(by, *until, *from, rules.grace);
-    if (until && !from) undated.push_back(names_of(by));
+    if (until && !from) undated.push_back(shown_name(by));
   }
   if (!strays.empty())
     sentences.push_back(fmt::format("{} has no row for {} of the submissions{}", rules.roster,
@@ -187,9 +187,7 @@ std::map<std::size_t, Override> read_overrides(const std::string& path,
     const auto fail = [&](const std::string& what) {
       throw pt::Error(fmt::format("{}:{}: {}", path, rows[i].line, what));
     };
-    const std::string who =
-        base::printable(rows[i].name.empty() ? rows[i].id : rows[i].name, kShown);
-    if (!places[i]) fail(fmt::format("'{}' is not in the class", who));
+    if (!places[i]) fail(fmt::format("'{}' is not in the class", who(rows[i])));
     Override one;
     const auto word = rows[i].cells.find("word"), points = rows[i].cells.find("points");
     if (word != rows[i].cells.end()) one.word = word->second;
@@ -201,7 +199,8 @@ std::map<std::size_t, Override> read_overrides(const std::string& path,
         fail(fmt::format("'{}' is not a whole number of points", base::printable(text, kShown)));
       one.points = value;
     }
-    if (!one.points && one.word.empty()) fail(fmt::format("'{}' has no points and no word", who));
+    if (!one.points && one.word.empty())
+      fail(fmt::format("'{}' has no points and no word", who(rows[i])));
     all[*places[i]] = one;
   }
   return all;
