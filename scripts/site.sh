@@ -23,6 +23,8 @@ make_samples() {
   sample "$build/check/grader/grade" --config "$build/check/grader/grade.json" 1 --submission build/site/handed_in/bea --seed 7 --html "$work/samples/report.html"
   sample "$build/check/grader/grade_class" "$work/handed_in" --out "$work/class" --seed 7 --not-isolated -- 1 --no-pictures
   mkdir "$work/samples/class" && cp "$work"/class/*.html "$work/class/class.csv" "$work/samples/class"
+  # What was handed in here is solutions, so the sample pages do not show it.
+  sed -i -E '/<!--code .*<!--\/code /d; /<!--code /,/<!--\/code /d; /<div class="sides">/,/<\/div><\/details>/c </details>' "$work"/samples/class/*.html
   # The same site has the same bytes, so measured times go.
   sed -i -E 's/ Judging one took [^.]* on average[.]//; s|<div><dt>Time</dt><dd>[^<]*</dd></div>||' "$work"/samples/report.html "$work"/samples/class/*.html
   sample "$build/check/view/view" --worker "$build/check/view/view_worker.reference" --recipes "$root/scenes/recipes.json" scenes/box_spheres.dae \
