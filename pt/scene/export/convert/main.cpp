@@ -16,6 +16,9 @@
 
 namespace {
 
+// Processor time for a model of that many bytes: assimp reads some ten times as fast.
+rlim_t seconds_for(std::uintmax_t bytes) { return 20 + bytes / 1'000'000; }
+
 // Runs `work` in a child process and returns its status: the library that reads models crashes on
 // some damaged ones, and does not end on others. Throws Error where it was stopped.
 template <class Work>
@@ -23,8 +26,9 @@ int run_apart(const std::filesystem::path& model, Work work) {
   const pid_t child = fork();
   if (child < 0) throw pt::Error(std::string("cannot start a process: ") + std::strerror(errno));
   if (child == 0) {
-    constexpr rlimit kSeconds{600, 600};
-    setrlimit(RLIMIT_CPU, &kSeconds);
+    const rlim_t seconds = seconds_for(std::filesystem::file_size(model));
+    const rlimit limit{seconds, seconds + 1};
+    setrlimit(RLIMIT_CPU, &limit);
     _exit(pt::run_program(work));
   }
   int status = 0;
