@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Compiles the render program for Windows with Debian's mingw g++, and links it where tinyxml2's source and a zlib for Windows are
-found. Nothing is downloaded: without the compiler the test is skipped (77).
+"""Checks with Debian's mingw g++ that the render program compiles for Windows, and compiles and links it where tinyxml2's source and a
+zlib for Windows are found. Nothing is downloaded: without the compiler the test is skipped (77).
 windows.py BUILD: the build folder whose render program is taken; its compile commands say how each file is compiled.
 FIRSTLIGHT_TINYXML2: the file tinyxml2.cpp (apt-get source tinyxml2). FIRSTLIGHT_WINDOWS: where render.exe is kept."""
 import concurrent.futures, json, os, pathlib, shlex, shutil, subprocess, sys, tempfile
@@ -18,6 +18,7 @@ headers.mkdir()
 for name in ("fmt", "CLI", "stb", "tinyxml2.h", "tinyexr.h"):
     (headers / name).symlink_to(pathlib.Path("/usr/include") / name)
 (folder / "tinyexr.cpp").write_text("#include <algorithm>\n#define TINYEXR_IMPLEMENTATION\n#include <tinyexr.h>\n")
+tinyxml2 = os.environ.get("FIRSTLIGHT_TINYXML2", "")
 common = ["-isystem", str(headers), "-DFMT_HEADER_ONLY", "-O1"]
 
 
@@ -35,7 +36,8 @@ def words(command):
 
 def compiled(number, source, flags):
     target = folder / f"{number}.o"
-    done = subprocess.run([compiler, *flags, *common, "-c", source, "-o", target], cwd=build, capture_output=True, text=True)
+    what = ["-c", "-o", target] if tinyxml2 else ["-fsyntax-only"]
+    done = subprocess.run([compiler, *flags, *common, *what, source], cwd=build, capture_output=True, text=True)
     return target, done.stderr if done.returncode else ""
 
 
@@ -45,7 +47,6 @@ commands = json.loads((build / "compile_commands.json").read_text())
 jobs = [(each["file"], words(each["command"])) for each in commands
         if shlex.split(each["command"])[shlex.split(each["command"]).index("-o") + 1] in objects]
 assert len(jobs) > 25, f"the render program has only {len(jobs)} files"
-tinyxml2 = os.environ.get("FIRSTLIGHT_TINYXML2", "")
 if tinyxml2:
     jobs += [(tinyxml2, []), (folder / "tinyexr.cpp", ["-w"])]
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
