@@ -17,7 +17,7 @@
 namespace {
 
 // Processor time for a model of that many bytes: assimp reads some ten times as fast.
-rlim_t seconds_for(std::uintmax_t bytes) { return 20 + bytes / 1'000'000; }
+rlim_t seconds_for(std::uintmax_t bytes) { return 5 + bytes / 1'000'000; }
 
 // Runs `work` in a child process and returns its status: the library that reads models crashes on
 // some damaged ones, and does not end on others. Throws Error where it was stopped.
