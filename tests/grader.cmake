@@ -135,7 +135,7 @@ target_compile_definitions(wrong_and_right_test PRIVATE
 set(needs NEEDS wrong_and_right_test ${programs})
 firstlight_add_test(some_wrong_and_right quick
   COMMAND wrong_and_right_test --gtest_filter=-*every_bonus_promise --each 2 ${needs})
-firstlight_add_test(many_wrong_and_right rest COMMAND wrong_and_right_test --each 8 ${needs})
+firstlight_add_test(many_wrong_and_right rest COMMAND wrong_and_right_test --each 5 ${needs})
 firstlight_add_test(wrong_and_right_test long COMMAND wrong_and_right_test ${needs})
 firstlight_script_test(debug rest commands/debug.sh NEEDS ${programs}
   ARGUMENTS ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/tests/hit_triangle.objects)

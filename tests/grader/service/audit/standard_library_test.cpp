@@ -44,7 +44,7 @@ TEST_P(StandardLibrary, is_open_to_a_task) {
 INSTANTIATE_TEST_SUITE_P(
     of, StandardLibrary,
     testing::Combine(testing::Values("memory", "containers", "text", "numbers", "language"),
-                     testing::Values("O0", "O1", "O2")),
+                     testing::Values("O0", "O2")),
     [](const auto& each) { return std::get<0>(each.param) + "_" + std::get<1>(each.param); });
 
 }  // namespace
