@@ -2,13 +2,12 @@
 
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/number.h"
 
-#include <charconv>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <string>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -16,19 +15,16 @@ namespace pt {
 
 // For options that are a number above 0: NaN, infinity and numbers too large for a double are none.
 inline std::string check_above_zero(const std::string& word) {
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool fits = error == std::errc{} && rest == word.data() + word.size() && value > 0 &&
-                    value <= std::numeric_limits<double>::max();
-  return fits ? "" : "'" + word + "' is not a number above 0, as 1.5 is";
+  const auto value = number_in<double>(word);
+  return value && *value > 0 && *value <= std::numeric_limits<double>::max()
+             ? ""
+             : "'" + word + "' is not a number above 0, as 1.5 is";
 }
 
 // For seeds.
 inline std::string check_seed(const std::string& word) {
-  std::uint64_t value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool fits = error == std::errc{} && rest == word.data() + word.size();
-  return fits ? "" : "'" + word + "' is not an integer from 0 to 2^64 - 1";
+  return number_in<std::uint64_t>(word) ? ""
+                                        : "'" + word + "' is not an integer from 0 to 2^64 - 1";
 }
 
 // Fills the app's options from main's arguments, or from words in reverse, as CLI11 takes them. Help that is asked for

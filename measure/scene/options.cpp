@@ -3,12 +3,12 @@
 #include "measure/scene/model.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
+#include "pt/number.h"
 #include "pt/render/choose_engine.h"
 #include "pt/render/options.h"
 #include "pt/todo_list.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <thread>
 #include <utility>
@@ -49,13 +49,11 @@ double error_of(std::string word) {
     word.pop_back();
   }
   while (!word.empty() && word.back() == ' ') word.pop_back();
-  double value = 0;
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool whole = problem == std::errc{} && end == word.data() + word.size();
-  if (!whole || !(value * unit > 0 && value * unit <= 1)) {
+  const auto value = pt::number_in<double>(word);
+  if (!value || !(*value * unit > 0 && *value * unit <= 1)) {
     throw pt::Error("--error takes a part of the radiance above 0 and at most 1, as 2% or .02");
   }
-  return value * unit;
+  return *value * unit;
 }
 
 // Sorts the numbers and removes duplicates. A line needs two numbers.

@@ -1,9 +1,9 @@
 #include "pt/image/pfm.h"
 
 #include "pt/error.h"
+#include "pt/number.h"
 
 #include <bit>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 
@@ -20,9 +20,7 @@ std::string_view take_word(std::string_view& bytes) {
 
 template <class Number>
 Number number(std::string_view word) {
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() ? value : Number{};
+  return number_in<Number>(word).value_or(Number{});
 }
 
 float float_at(const char* bytes, bool little) {

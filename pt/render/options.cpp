@@ -2,14 +2,13 @@
 
 #include "pt/command_line.h"
 #include "pt/error.h"
+#include "pt/number.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <map>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -79,15 +78,14 @@ void describe_picture(CLI::App& app, RenderOptions& options, Pairs& pairs) {
 
 // "90", "90s", "10m" or "1.5h" in seconds.
 double read_time(const std::string& word) {
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  const std::size_t end = word.find_last_not_of("smh") + 1;
+  const auto value = number_in<double>(word.substr(0, end));
   const std::map<std::string, double> units{{"", 1}, {"s", 1}, {"m", 60}, {"h", 3600}};
-  const auto unit = units.find(std::string(rest, end));
-  if (error != std::errc{} || unit == units.end() || !(value > 0 && value <= 1e9)) {
+  const auto unit = units.find(word.substr(end));
+  if (!value || unit == units.end() || !(*value > 0 && *value <= 1e9)) {
     throw Error("--time takes a time such as 90s, 10m or 1.5h, not '" + word + "'");
   }
-  return value * unit->second;
+  return *value * unit->second;
 }
 
 void describe_stops(CLI::App& app, RenderOptions& options, std::string& time) {

@@ -55,14 +55,14 @@ void TimedProgress::expect(double seconds) {
 
 void TimedProgress::clear() {
   if (!thread_.joinable()) return;
-  thread_.request_stop();
+  ends_ = true;
   thread_.join();
   progress_.clear();
 }
 
-void TimedProgress::tick(const std::stop_token& stop) {
+void TimedProgress::tick() {
   double said = 0;
-  while (!stop.stop_requested()) {
+  while (!ends_) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     const double now = passed(), until = until_;
     if (until > 0) {

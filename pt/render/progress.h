@@ -34,6 +34,9 @@ class Progress {
 class TimedProgress {
  public:
   explicit TimedProgress(std::string first) : first_(std::move(first)) {}
+  ~TimedProgress() { clear(); }
+  TimedProgress(const TimedProgress&) = delete;
+  TimedProgress& operator=(const TimedProgress&) = delete;
 
   // The rest takes so many seconds. Prints nothing for very short ones.
   void expect(double seconds);
@@ -46,13 +49,14 @@ class TimedProgress {
   double passed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-  void tick(const std::stop_token& stop);
+  void tick();
 
   const std::string first_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<double> until_ = 0;  // seconds after the start; 0: not known yet
   Progress progress_;
-  std::jthread thread_{[this](const std::stop_token& stop) { tick(stop); }};
+  std::atomic<bool> ends_ = false;
+  std::thread thread_{[this] { tick(); }};
 };
 
 }  // namespace pt

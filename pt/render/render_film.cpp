@@ -2,6 +2,7 @@
 
 #include "pt/render/cpu_time.h"
 #include "pt/render/pixel_record.h"
+#include "pt/render/threads.h"
 #include "pt/tasks/estimate_pixel.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cassert>
 #include <chrono>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -125,15 +125,9 @@ RenderResult render_pixels(const View& view, Film film, int threads, const Pixel
   result.film = std::move(film);
   Tiles tiles(view.width, view.height);
   std::vector<RenderResult> results(threads);
-  {
-    std::vector<std::jthread> running;
-    running.reserve(results.size());
-    for (RenderResult& done : results) {
-      running.emplace_back([&, into = &done] {
-        *into = render_tiles(view, pixel, result.film, tiles, progress, stop);
-      });
-    }
-  }
+  in_threads(threads, [&](int i) noexcept {
+    results[i] = render_tiles(view, pixel, result.film, tiles, progress, stop);
+  });
   for (const RenderResult& done : results) add(result, done);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.complete = tiles.done == tiles.count;

@@ -1,6 +1,7 @@
 #include "view/worker/picture.h"
 
 #include "pt/render/darkness.h"
+#include "pt/render/threads.h"
 #include "pt/scene/recorder.h"
 #include "pt/tasks/camera_ray.h"
 
@@ -8,7 +9,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <thread>
 
 namespace view {
 
@@ -157,23 +157,18 @@ bool improve(Picture& picture, std::chrono::milliseconds time) {
   const int pixels = view.width * view.height;
   std::atomic<int> next = picture.next_pixel;
   std::mutex noting;
-  {
-    const auto work = [&] {
-      const pt::RayCount before = pt::rays_traced();
-      while (Clock::now() - start < time) {
-        const int pixel = next++;
-        if (pixel >= pixels) break;
-        render(picture, view, pixel % view.width, pixel / view.width, noting);
-      }
-      const pt::RayCount after = pt::rays_traced();
-      const std::lock_guard lock(noting);
-      picture.rays.closest += after.closest - before.closest;
-      picture.rays.occluded += after.occluded - before.occluded;
-    };
-    std::vector<std::jthread> threads;  // besides this one: a box has no more
-    for (int i = 1; i < picture.settings.render.threads; ++i) threads.emplace_back(work);
-    work();
-  }
+  pt::in_threads(picture.settings.render.threads, [&](int) {
+    const pt::RayCount before = pt::rays_traced();
+    while (Clock::now() - start < time) {
+      const int pixel = next++;
+      if (pixel >= pixels) break;
+      render(picture, view, pixel % view.width, pixel / view.width, noting);
+    }
+    const pt::RayCount after = pt::rays_traced();
+    const std::lock_guard lock(noting);
+    picture.rays.closest += after.closest - before.closest;
+    picture.rays.occluded += after.occluded - before.occluded;
+  });
   picture.next_pixel = std::min(next.load(), pixels);
   picture.seconds += std::chrono::duration<double>(Clock::now() - start).count();
   if (picture.next_pixel < pixels) return true;

@@ -1,10 +1,10 @@
 #include "view/worker/settings.h"
 
 #include "pt/error.h"
+#include "pt/number.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace view {
@@ -35,13 +35,12 @@ constexpr int kMinSide = 16, kMaxSide = 2048, kMaxBounces = 100, kMaxSamples = 1
               kMaxAdaptive = 1 << 14;
 
 int whole_number(const std::string& name, const std::string& word, int least, int most) {
-  int value = 0;
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (problem != std::errc() || end != word.data() + word.size() || value < least || value > most) {
+  const auto value = pt::number_in<int>(word);
+  if (!value || *value < least || *value > most) {
     throw pt::Error("'" + name + "' takes a whole number from " + std::to_string(least) + " to " +
                     std::to_string(most) + ", and not '" + word + "'");
   }
-  return value;
+  return *value;
 }
 
 pt::Vec3 vector(const std::string& name, const std::string& word) {
@@ -97,18 +96,16 @@ std::optional<Eye> eye_of(const Query& query) {
 
 std::vector<double> numbers_of(const std::string& name, const std::string& word, int count) {
   std::vector<double> numbers;
-  const char* at = word.data();
-  const char* const end = at + word.size();
+  std::string_view rest = word;
   for (int i = 0; i < count; ++i) {
-    double number = 0;
-    const auto [next, problem] = std::from_chars(at, end, number);
-    const bool ends_well = i + 1 == count ? next == end : next != end && *next == ',';
-    if (problem != std::errc() || !ends_well || !std::isfinite(number)) {
+    const std::size_t end = i + 1 == count ? rest.size() : std::min(rest.find(','), rest.size());
+    const auto number = pt::number_in<double>(rest.substr(0, end));
+    if (!number || !std::isfinite(*number)) {
       throw pt::Error("'" + name + "' takes " + std::to_string(count) +
                       " numbers with commas, as in 0,1,2.5, and not '" + word + "'");
     }
-    numbers.push_back(number);
-    at = next + 1;
+    numbers.push_back(*number);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return numbers;
 }

@@ -4,9 +4,9 @@
 #include "grader/service/classes/people_table.h"
 #include "grader/service/intake/names_that_differ.h"
 #include "pt/error.h"
+#include "pt/number.h"
 
 #include <algorithm>
-#include <charconv>
 #include <ctime>
 #include <iterator>
 #include <regex>
@@ -193,9 +193,8 @@ std::map<std::size_t, Override> read_overrides(const std::string& path,
     if (word != rows[i].cells.end()) one.word = word->second;
     if (points != rows[i].cells.end()) {
       const std::string& text = points->second;
-      int value = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      if (error != std::errc() || end != text.data() + text.size() || value < 0)
+      const auto value = pt::number_in<int>(text);
+      if (!value || *value < 0)
         fail(fmt::format("'{}' is not a whole number of points", base::printable(text, kShown)));
       one.points = value;
     }

@@ -4,11 +4,11 @@
 #include "grader/results/presentable.h"
 #include "pt/error.h"
 #include "pt/file.h"
+#include "pt/number.h"
 #include "pt/printable.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
@@ -34,10 +34,7 @@ std::string number_of(const CsvCell& identifier) {
 // "100.00", or "100,00" from a spreadsheet.
 std::optional<double> points_in(std::string text) {
   std::replace(text.begin(), text.end(), ',', '.');
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? std::optional(value) : std::nullopt;
+  return pt::number_in<double>(text);
 }
 
 // A name in a form in which Moodle's names of files and its table agree: letters and digits of ASCII

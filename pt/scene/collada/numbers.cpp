@@ -1,7 +1,8 @@
 #include "pt/scene/collada/numbers.h"
 
+#include "pt/number.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -15,13 +16,8 @@ namespace {
 template <class Number>
 std::optional<Number> read_word(std::string word, bool has_commas) {
   if (has_commas) std::replace(word.begin(), word.end(), ',', '.');
-  const char* begin = word.data();
-  const char* const end = begin + word.size();
-  if (*begin == '+') ++begin;
-  Number number{};
-  const auto [rest, error] = std::from_chars(begin, end, number);
-  const bool is_number = error == std::errc{} && rest == end && std::isfinite(double(number));
-  return is_number ? std::optional(number) : std::nullopt;
+  const auto number = number_in<Number>(word.starts_with('+') ? word.substr(1) : word);
+  return number && std::isfinite(double(*number)) ? number : std::nullopt;
 }
 
 // Appends the numbers of a text to the list.
@@ -105,13 +101,12 @@ std::optional<std::size_t> read_count(const Document& document, const XMLElement
                                       const char* name) {
   if (element.Attribute(name) == nullptr) return std::nullopt;
   const std::string_view digits = attribute(&element, name);
-  unsigned int value = 0;
-  const auto [rest, error] = std::from_chars(digits.begin(), digits.end(), value);
-  if (error != std::errc{} || rest != digits.end()) {
+  const auto value = number_in<unsigned int>(digits);
+  if (!value) {
     document.fail(element, std::string(name) + "=" + quoted(digits) + " of " + tag(element) +
                                " is not a count; write an integer from 0 up");
   }
-  return value;
+  return *value;
 }
 
 std::string shown(double value) {
