@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <optional>
@@ -64,31 +63,23 @@ void say(const std::string& note) {
   if (!note.empty()) fmt::print(stderr, "{}\n", note);
 }
 
-// Asks for the picture until it has some samples, but not for long.
-Reply settled_picture(Child& child, const std::map<std::string, std::string>& settings) {
-  constexpr int kSamples = 30;
-  constexpr std::chrono::seconds kMost{20};
-  const auto start = std::chrono::steady_clock::now();
+// Asks for a picture, or a disk, until `counted` of its state is so much. No time ends it: the same page has the same bytes.
+Reply settled(Child& child, const std::string& what,
+              const std::map<std::string, std::string>& question, const char* counted, int most) {
   for (;;) {
-    const Reply reply = child.ask("picture", settings);
-    const bool is_enough = reply.state.at("samples") >= kSamples || !reply.state.at("goes_on");
-    const bool has_light = reply.state.at("stage") > 1;
-    if (is_enough || (has_light && std::chrono::steady_clock::now() - start > kMost)) {
-      say(reply.state.at("note"));
-      return reply;
-    }
+    Reply reply = child.ask(what, question);
+    if (reply.state.at(counted) < most && reply.state.at("goes_on")) continue;
+    reply.state.erase("seconds");
+    return reply;
   }
 }
 
+Reply settled_picture(Child& child, const std::map<std::string, std::string>& settings) {
+  return settled(child, "picture", settings, "samples", 30);
+}
+
 Reply settled_disk(Child& child, const std::map<std::string, std::string>& question) {
-  constexpr int kPasses = 8;
-  constexpr std::chrono::seconds kMost{5};
-  const auto start = std::chrono::steady_clock::now();
-  for (;;) {
-    const Reply reply = child.ask("disk", question);
-    const bool is_late = std::chrono::steady_clock::now() - start > kMost;
-    if (reply.state.at("passes") >= kPasses || !reply.state.at("goes_on") || is_late) return reply;
-  }
+  return settled(child, "disk", question, "passes", 8);
 }
 
 json as_text(const Reply& reply) {
@@ -141,6 +132,7 @@ void write_page(const Options& options, Child& own, Child* reference) {
   data["ray"] = own.ask("ray", of_pixel).state;
   data["depth"] = as_text(own.ask("depth", of_picture));
   const Reply picture = settled_picture(own, of_picture);
+  say(picture.state.at("note"));
   if (of_picture.contains("shown")) {
     data["numbers"] = as_text(picture);
   } else {

@@ -1,6 +1,7 @@
 #include "view/worker/disk.h"
 
 #include "pt/geometry/spawn_ray.h"
+#include "pt/render/threads.h"
 #include "pt/scene/recorder.h"
 #include "pt/tasks/direct_hemisphere.h"
 #include "pt/tasks/direct_lights.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
 
 namespace view {
 
@@ -251,23 +251,16 @@ Disk begin_disk(const pt::SurfacePoint& point, const Settings& settings, int bou
 bool improve(Disk& disk, const pt::Scene& scene, std::chrono::milliseconds time) {
   if (disk.passes >= kPasses) return false;
   const auto start = Clock::now();
-  while (disk.passes < kPasses && Clock::now() - start < time) {
-    std::atomic<int> next = disk.next_row;
-    {
-      const auto work = [&] {
-        while (Clock::now() - start < time) {
-          const int row = next++;
-          if (row >= kDiskSide) break;
-          trace_row(disk, scene, row);
-        }
-      };
-      std::vector<std::jthread> threads;  // besides this one: a box has no more
-      for (int i = 1; i < disk.threads; ++i) threads.emplace_back(work);
-      work();
+  std::atomic<int> next = disk.next_row;
+  pt::in_threads(disk.threads, [&](int) {
+    while (Clock::now() - start < time) {
+      const int row = next++;
+      if (row >= kDiskSide) break;
+      trace_row(disk, scene, row);
     }
-    disk.next_row = std::min(next.load(), kDiskSide);
-    if (disk.next_row == kDiskSide) end_pass(disk, scene);
-  }
+  });
+  disk.next_row = std::min(next.load(), kDiskSide);
+  if (disk.next_row == kDiskSide) end_pass(disk, scene);
   return disk.passes < kPasses;
 }
 

@@ -83,7 +83,7 @@ Disk begin_disk(const pt::SurfacePoint& point, const Settings& settings, int bou
 // The part of the directions of diffuse_sample that would have to go elsewhere to agree with diffuse_pdf, by blocks of cells.
 double elsewhere(const Disk& disk);
 
-// Goes on for about this time. Returns false if there is nothing left to do.
+// Goes on for about this time, and at most to the end of a pass. Returns false if there is nothing left to do.
 bool improve(Disk& disk, const pt::Scene& scene, std::chrono::milliseconds time);
 
 // Numbers of the cells, one layer after the other: emission (r of all cells, then g, then b), other light, f, the density that
