@@ -34,16 +34,17 @@ make_samples() {
 # compile_live: the reference as one script with WebAssembly in it, because pages in a folder cannot load other files; `words` gets its
 # option. Files that are older than their objects are not compiled again.
 compile_live() {
-  local folder=$build/site.live exported source object old=() objects=()
+  local folder=$build/site.live exported source object old=() objects=() sources
   command -v em++ >/dev/null || {
     echo "emscripten is missing ($(install_command "$(package_manager)") emscripten): the site gets still pictures in the place of live figures" >&2
     return
   }
   words=(--live "$folder/reference.js")
   mkdir -p "$folder"
-  # shellcheck source=site/live/sources.sh
-  . "$root/site/live/sources.sh"
-  for source in "${live_sources[@]}"; do
+  sources=(site/live/*.cpp pt/{todo,file}.cpp pt/geometry/bvh_builder.cpp pt/scene/{light,recorder,scene,tracer}.cpp
+    pt/accel/{binary_tree,collapse,kernel,wide_bvh,kernel_plain}.cpp pt/render/radiance_path.cpp reference/*/*.cpp)
+  for source in "${sources[@]}"; do
+    case $source in */hit_box.cpp | */hit_sphere.cpp) continue ;; esac # in site/live/recorded.cpp
     object=$folder/${source//\//.}.o
     objects+=("$object")
     # A header, or a source that another one includes, may have changed.

@@ -36,7 +36,19 @@ firstlight_script_test(walk quick commands/walk.sh ${build}
   NEEDS render export judge compare_picture view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class)
 firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade grade_examples hint watch box render view compare generate writeup
   accuracy.reference measure stability bless grade_class ladder judge export)
-firstlight_script_test(site rest site/site.sh NEEDS site grade graded_programs grade_class view view_worker.reference)
+# The functions of the live figures, for this machine: their hit_box and hit_sphere count calls (site/live/recorded.cpp).
+file(GLOB live ${PROJECT_SOURCE_DIR}/site/live/*.cpp)
+add_executable(live_calls EXCLUDE_FROM_ALL site/calls.cpp ${live})
+target_link_libraries(live_calls PRIVATE firstlight_warnings pt_scene radiance.path nlohmann_json::nlohmann_json)
+set_target_properties(live_calls PROPERTIES ENABLE_EXPORTS ON)
+set(own hit_box hit_sphere)
+foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+  if(NOT slug IN_LIST own)
+    target_link_libraries(live_calls PRIVATE ${slug}.reference)
+  endif()
+endforeach()
+firstlight_script_test(site rest site/site.sh ARGUMENTS $<TARGET_FILE:live_calls>
+  NEEDS live_calls site grade graded_programs grade_class view view_worker.reference)
 firstlight_script_test(autograder_made rest commands/autograder.sh ARGUMENTS ${PROJECT_BINARY_DIR} made NEEDS grade graded)
 firstlight_script_test(workflows rest commands/workflows.sh ${build} NEEDS grade graded)
 # For Windows, where its compiler is installed.

@@ -207,6 +207,24 @@ const live = (() => {
     pen.fillText(words, x, y);
   }
 
+  // The mean of a list, and the standard deviation of one of its numbers.
+  function statistics(list) {
+    const mean = list.reduce((sum, each) => sum + each, 0) / list.length;
+    return { mean, deviation: Math.sqrt(list.reduce((sum, each) => sum + (each - mean) ** 2, 0) / (list.length - 1)) };
+  }
+  // The mean of the first numbers of a list against how many they are, across `width`; height(mean) is where it is drawn.
+  function running_mean(pen, list, left, width, height, name) {
+    let sum = 0;
+    pen.strokeStyle = color(name);
+    pen.lineWidth = 2;
+    pen.beginPath();
+    list.forEach((each, i) => {
+      sum += each;
+      pen.lineTo(left + width * (i + 1) / list.length, height(sum / (i + 1)));
+    });
+    pen.stroke();
+  }
+
   function stills() {
     for (const root of document.querySelectorAll('figure.live[data-figure]')) {
       const stage = root.querySelector('.stage');
@@ -221,15 +239,16 @@ const live = (() => {
       stills();
       return;
     }
+    const dark = matchMedia('(prefers-color-scheme: dark)');
     for (const root of document.querySelectorAll('figure.live[data-figure]')) {
       const figure = new Figure(root);
       figure.draw = made[root.dataset.figure](figure);
       figure.redraw(true);
+      dark.addEventListener('change', () => figure.redraw());
     }
     document.documentElement.dataset.live = 'ready';
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => dispatchEvent(new Event('resize')));
   }
   addEventListener('DOMContentLoaded', start);
 
-  return { ask, calls, color, css, dot, figure: (name, make) => { made[name] = make; }, Growing, line, shade, text, view };
+  return { ask, calls, color, css, dot, figure: (name, make) => { made[name] = make; }, Growing, line, running_mean, shade, statistics, text, view };
 })();

@@ -1,18 +1,15 @@
 #!/usr/bin/env bash
-# The site of ./run site, made twice: the same bytes; its links; every page opened; each live figure dragged, and its numbers compared with
-# the same calls compiled for this machine. site.sh. Skipped (77) if Chromium or emscripten is missing.
+# The site of ./run site, made twice: the same bytes; its links; every page opened, in light and in dark; each live figure dragged, and
+# its numbers compared with the same calls compiled for this machine. site.sh LIVE_CALLS. Skipped (77) if Chromium or emscripten is missing.
 set -euo pipefail
+live_calls=$1
 # shellcheck source=tests/fixtures/browser.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../fixtures/browser.sh"
 command -v em++ >/dev/null || { echo 'SKIPPED: emscripten is missing (scripts/packages.txt)'; exit 77; }
-# shellcheck source=site/live/sources.sh
-. site/live/sources.sh
-g++ -std=c++20 -O1 -fPIC -shared -w -I. "${live_sources[@]}" -o "$folder/live.so"
 
 ./run site "$folder/site" >/dev/null
 ./run site "$folder/again" >/dev/null
-# The picture in view.html, and its directions, get better until a time is over.
-diff -rq -x view.html "$folder/site" "$folder/again" || complain 'the site has other bytes when it is made again'
+diff -rq "$folder/site" "$folder/again" || complain 'the site has other bytes when it is made again'
 python3 tests/site/pages.py "$folder/site" >"$folder/pages" || complain 'a page is wrong'
 
 # drag ELEMENT X0 Y0 X1 Y1: with the pointer, in pixels from the middle.
@@ -36,10 +33,19 @@ until_true() {
 look() {
   number <<<"return [...document.querySelector('#live-$name canvas').toDataURL()].reduce((sum, letter) => (sum * 31 + letter.charCodeAt(0)) % 1000003, 0);"
 }
+# scheme light | dark: what the reader's system asks for.
+scheme() {
+  post "$session/goog/cdp/execute" "{\"cmd\": \"Emulation.setEmulatedMedia\",
+    \"params\": {\"features\": [{\"name\": \"prefers-color-scheme\", \"value\": \"$1\"}]}}" >/dev/null
+}
 
 figures=0
 while IFS= read -r page; do
   go "file://$page"
+  for light in dark light; do
+    scheme $light
+    expect "$page: texts stand out when it is $light" < <(grep -v '^//' tests/site/contrast.js)
+  done
   for name in $(sed -n 's/.*data-figure="\([a-z_]*\)".*/\1/p' "$page"); do
     figures=$((figures + 1))
     until_true "$page: $name is drawn" <<<"return document.documentElement.dataset.live === 'ready' && document.querySelector('#live-$name').dataset.drawn >= 1;"
@@ -55,7 +61,7 @@ while IFS= read -r page; do
     for _ in $(seq 50); do [ "$(look)" = "$before" ] || break; sleep 0.1; done
     [ "$(look)" != "$before" ] || complain "$name looks the same after a drag"
     script >"$folder/calls.json" <<<"return JSON.stringify(Object.fromEntries(Object.entries(live.calls).map(([name, { given, answer }]) => [name, { given, answer: [...answer] }])));"
-    python3 tests/site/compare.py "$folder/live.so" "$folder/calls.json" || complain "$name shows other numbers than the reference"
+    python3 tests/site/compare.py "$live_calls" "$folder/calls.json" || complain "$name shows other numbers than the reference"
     expect "$name: each slider and button has a name" <<<"return [...document.querySelectorAll('#live-$name input')].every((input) => input.labels.length === 1) && document.querySelector('#live-$name canvas').getAttribute('aria-label').length > 10;"
   done
 done <"$folder/pages"

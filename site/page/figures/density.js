@@ -30,16 +30,8 @@ live.figure('density', (figure) => {
     live.text(pen, '1/3', left + width, end - scale / 3 - 5, 'good', 'right');
     live.line(pen, left, end, left + width, end, 'line', 1);
     live.text(pen, 'running mean of g / p', left, 262, 'muted');
-    let sum = 0;
-    pen.strokeStyle = live.color('cool');
-    pen.lineWidth = 2;
-    pen.beginPath();
-    samples.forEach((each, i) => {
-      sum += each;
-      pen.lineTo(left + width * (i + 1) / samples.length, end - scale * Math.min(1, sum / (i + 1)));
-    });
-    pen.stroke();
-    const mean = sum / samples.length, deviation = Math.sqrt(samples.reduce((all, each) => all + (each - mean) ** 2, 0) / (samples.length - 1));
+    live.running_mean(pen, samples, left, width, (mean) => end - scale * Math.min(1, mean), 'cool');
+    const { mean, deviation } = live.statistics(samples);
     const is_blind = heights.some((each, i) => each === 0 && i > 0);
     says(samples.length === 0 ? 'All bars are 0.'
       : `mean ${mean.toFixed(3)}, standard deviation of a sample ${deviation.toFixed(3)}${is_blind ? '; where p is 0, g is never counted' : ''}`);

@@ -34,24 +34,14 @@ live.figure('direct', (figure) => {
       says('The point is outside the room.');
     } else {
       const lists = [all.slice(0, number.value), all.slice(number.value)];
-      const means = lists.map((list) => list.reduce((sum, each) => sum + each, 0) / list.length);
-      const errors = lists.map((list, i) => Math.sqrt(list.reduce((sum, each) => sum + (each - means[i]) ** 2, 0)) / list.length);
-      const top = 2.5 * Math.max(means[1], 1e-6);
+      const [hemisphere, light] = lists.map((list) => live.statistics(list)), top = 2.5 * Math.max(light.mean, 1e-6);
       live.line(pen, 40, 420, 620, 420, 'line', 1);
-      lists.forEach((list, i) => {
-        let sum = 0;
-        pen.strokeStyle = live.color(i === 0 ? 'warm' : 'cool');
-        pen.lineWidth = 2;
-        pen.beginPath();
-        list.forEach((each, k) => {
-          sum += each;
-          pen.lineTo(40 + 580 * (k + 1) / list.length, 420 - 145 * Math.min(1, sum / (k + 1) / top));
-        });
-        pen.stroke();
-      });
+      lists.forEach((list, i) => live.running_mean(pen, list, 40, 580, (mean) => 420 - 145 * Math.min(1, mean / top), ['warm', 'cool'][i]));
       live.text(pen, 'running mean at the point', 40, 272, 'muted');
       live.text(pen, `${number.value} samples`, 620, 437, 'muted', 'right');
-      says(`hemisphere ${means[0].toFixed(3)} ± ${errors[0].toFixed(3)}, light ${means[1].toFixed(3)} ± ${errors[1].toFixed(3)}`);
+      // One sample says nothing of its noise.
+      const told = ({ mean, deviation }) => mean.toFixed(3) + (number.value > 1 ? ` ± ${(deviation / Math.sqrt(number.value)).toFixed(3)}` : '');
+      says(`hemisphere ${told(hemisphere)}, light ${told(light)}`);
     }
     if (growing.some((picture) => picture.samples < number.value)) figure.redraw();
   };

@@ -40,8 +40,7 @@ live.figure('path', (figure) => {
     if (wanted !== numbers) {
       numbers = wanted;
       const list = live.ask('samples', view, Math.floor(place[0] * 320), Math.floor(place[1] * 240), number, 1);
-      const mean = list.reduce((sum, each) => sum + each, 0) / number;
-      const deviation = Math.sqrt(list.reduce((sum, each) => sum + (each - mean) ** 2, 0) / (number - 1));
+      const { mean, deviation } = live.statistics(list);
       figure.numbers = `${number} samples of this pixel: mean ${mean.toFixed(3)} ± ${(deviation / Math.sqrt(number)).toFixed(3)}, standard deviation of one sample ${deviation.toFixed(2)}`;
     }
     says(`This path has ${points.length} point${points.length === 1 ? '' : 's'}. ${figure.numbers}`);
