@@ -140,7 +140,8 @@ int live_samples() {
   return count();
 }
 
-// A view, largest number of samples, batch, tolerance, seed, first row, number of rows -> colour and number of samples of each pixel.
+// A view, largest number of samples, batch, tolerance, seed, first pixel, number of pixels -> colour and number of samples of each. Pixels
+// are counted from the bottom left.
 int live_adaptive() {
   Given in;
   const pt::View view = view_of(in);
@@ -148,15 +149,14 @@ int live_adaptive() {
   settings.max_samples = in.whole();
   settings.batch = in.whole();
   settings.tolerance = in.number();
-  const int seed = in.whole(), first = in.whole(), rows = in.whole();
+  const int seed = in.whole(), first = in.whole(), number = in.whole();
   begin();
-  for (int y = first; y < first + rows; ++y) {
-    for (int x = 0; x < view.width; ++x) {
-      pt::Sampler sampler = sampler_of(seed, x, y);
-      const pt::PixelEstimate pixel = pt::adaptive_pixel(view, x, y, settings, sampler);
-      add(pixel.mean);
-      add(pixel.samples);
-    }
+  for (int i = first; i < first + number; ++i) {
+    const int x = i % view.width, y = i / view.width;
+    pt::Sampler sampler = sampler_of(seed, x, y);
+    const pt::PixelEstimate pixel = pt::adaptive_pixel(view, x, y, settings, sampler);
+    add(pixel.mean);
+    add(pixel.samples);
   }
   return count();
 }

@@ -23,7 +23,14 @@ const live = (() => {
     return made;
   }
 
-  const color = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  // Colours of the page by name; to ask the page for each line of a figure takes longer than to draw it.
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  const colors = new Map();
+  dark.addEventListener('change', () => colors.clear());
+  function color(name) {
+    if (!colors.has(name)) colors.set(name, getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
+    return colors.get(name);
+  }
 
   class Figure {
     constructor(root) {
@@ -156,7 +163,7 @@ const live = (() => {
     work(milliseconds) {
       const end = performance.now() + milliseconds;
       do {
-        const rows = Math.min(8, this.height - this.row);
+        const rows = Math.min(Math.ceil(1000 / this.width), this.height - this.row);
         const colors = this.rows(this.row, rows, this.samples + 1);
         const first = this.row * this.width * 3;
         for (let i = 0; i < colors.length; ++i) this.sum[first + i] += colors[i];
@@ -239,7 +246,6 @@ const live = (() => {
       stills();
       return;
     }
-    const dark = matchMedia('(prefers-color-scheme: dark)');
     for (const root of document.querySelectorAll('figure.live[data-figure]')) {
       const figure = new Figure(root);
       figure.draw = made[root.dataset.figure](figure);

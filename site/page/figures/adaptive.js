@@ -5,7 +5,7 @@ live.figure('adaptive', (figure) => {
   const batch = figure.slider('batch', 4, 64, 4, 16);
   const says = figure.says();
   const width = 96, height = 72, most = 512, shown = [310, 232];
-  let pixel = [50, 20], row = 0, made = '';
+  let pixel = [50, 20], next = 0, made = '';
   const [picture, map] = [0, 1].map(() => Object.assign(document.createElement('canvas'), { width, height }));
   const limit = (value, size) => Math.min(size - 1, Math.max(0, Math.floor(value)));
   figure.drag(canvas, () => [(pixel[0] + 0.5) / width * shown[0], (1 - (pixel[1] + 0.5) / height) * shown[1]], (x, y) => {
@@ -15,15 +15,16 @@ live.figure('adaptive', (figure) => {
   const view = () => live.view({ width, height });
   const settings = () => [most, batch.value, tolerance.value, 1];
 
-  function addRow() {
-    const pixels = live.ask('adaptive', view(), ...settings(), row, 1), images = [new ImageData(width, 1), new ImageData(width, 1)];
-    for (let x = 0; x < width; ++x) {
+  // Eight pixels of a row.
+  function addPixels() {
+    const pixels = live.ask('adaptive', view(), ...settings(), next, 8), images = [new ImageData(8, 1), new ImageData(8, 1)];
+    for (let x = 0; x < 8; ++x) {
       const [r, g, b, samples] = pixels.slice(4 * x, 4 * x + 4), part = samples / most;
       images[0].data.set([r, g, b].map(live.shade).concat(255), 4 * x);
       images[1].data.set([255 * Math.min(1, 2 * part), 255 * Math.min(1, 2 - 2 * part), 60, 255], 4 * x);
     }
-    [picture, map].forEach((each, i) => each.getContext('2d').putImageData(images[i], 0, height - 1 - row));
-    ++row;
+    [picture, map].forEach((each, i) => each.getContext('2d').putImageData(images[i], next % width, height - 1 - Math.floor(next / width)));
+    next += 8;
   }
 
   function drawInterval(pen, list, stop) {
@@ -52,10 +53,10 @@ live.figure('adaptive', (figure) => {
   return () => {
     if (made !== `${settings()}`) {
       made = `${settings()}`;
-      row = 0;
+      next = 0;
     }
     const end = performance.now() + 15;
-    while (row < height && performance.now() < end) addRow();
+    while (next < width * height && performance.now() < end) addPixels();
     const pen = canvas.getContext('2d');
     pen.clearRect(0, 0, 640, 460);
     [picture, map].forEach((each, i) => {
@@ -65,11 +66,11 @@ live.figure('adaptive', (figure) => {
       pen.lineWidth = 3;
       pen.strokeRect(330 * i + pixel[0] / width * shown[0] - 4, (1 - (pixel[1] + 1) / height) * shown[1] - 4, 12, 12);
     });
-    const pixels = live.ask('adaptive', view(), ...settings(), pixel[1], 1), stop = pixels[4 * pixel[0] + 3];
+    const stop = live.ask('adaptive', view(), ...settings(), pixel[1] * width + pixel[0], 1)[3];
     const list = [...live.ask('samples', view(), ...pixel, stop, 1)];
     const [mean, half] = drawInterval(pen, list, stop);
     says(`pixel (${pixel.join(', ')}): ${stop} samples, mean ${mean.toFixed(3)} ± ${half.toFixed(3)}`
       + (mean > 0 ? `, ${(100 * half / mean).toFixed(0)}% of it` : ', no light'));
-    if (row < height) figure.redraw();
+    if (next < width * height) figure.redraw();
   };
 });

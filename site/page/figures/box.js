@@ -8,7 +8,7 @@ live.figure('box', (figure) => {
 
   const rows = (width, height) => (row, count, sample) => live.ask('rows',
     live.view({ yaw, pitch, width, height, to: bounces.value, lights: samples.value }), 1, sample, row, count);
-  const coarse = new live.Growing(80, 60, rows(80, 60)), fine = new live.Growing(320, 240, rows(320, 240));
+  const coarse = new live.Growing(64, 48, rows(64, 48)), fine = new live.Growing(320, 240, rows(320, 240));
 
   figure.drag(canvas, () => from, (x, y) => {
     yaw -= (x - from[0]) / 180;
@@ -27,7 +27,7 @@ live.figure('box', (figure) => {
     }
     // A coarse picture while something moves, so that it follows the hand.
     const shown = performance.now() - is_moving < 250 || changed ? coarse : fine;
-    shown.work(25);
+    shown.work(15);
     const pen = canvas.getContext('2d');
     pen.imageSmoothingEnabled = shown === coarse;
     pen.drawImage(shown.canvas, 0, 0, 640, 480);
