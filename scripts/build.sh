@@ -49,7 +49,7 @@ foreign_place() {
 # settings: prints what CMake is told, besides the preset.
 settings() {
   local mixtures=''
-  [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';')
+  [ -e "$build/mixtures" ] && mixtures=$(sort -u "$build/mixtures" | paste -sd';' -)
   echo "$mixtures ${FIRSTLIGHT_WERROR:-OFF}"
 }
 
@@ -96,7 +96,7 @@ explain_configure() {
 forget_mixtures() { [ -s "$build/mixtures" ] && rm "$build/mixtures"; }
 
 # task_file TASK: the learner's file of the task, from student/ on; nothing if it is gone.
-task_file() { (cd "$root/student" && find . -mindepth 2 -maxdepth 2 -name "$1.cpp" -printf '%P\n'); }
+task_file() { (cd "$root/student" && find . -mindepth 2 -maxdepth 2 -name "$1.cpp" | sed 's|^[.]/||'); }
 
 # expect_task_files: fails if a file of the learner is gone.
 expect_task_files() {
@@ -111,7 +111,7 @@ expect_task_files() {
 name_changed_files() {
   local changed
   changed=$(cd "$root" && sha256sum --quiet -c .edition 2>/dev/null | sed -n 's|: FAILED.*||p' | grep -v '^student/' | head -n 5 |
-    paste -sd' ') || true
+    paste -sd' ' -) || true
   [ -z "$changed" ] || echo "Much is built again, because these files were changed: $changed (git checkout $changed takes them back)" >&2
 }
 

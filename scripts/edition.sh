@@ -16,7 +16,7 @@ open_edition() {
   if [ ! -d "$from" ]; then
     unpacked=$(mktemp -d)
     # shellcheck disable=SC2064
-    trap "rm -rf ${unpacked@Q}" EXIT
+    trap "rm -rf $(printf %q "$unpacked")" EXIT
     from=$(realpath -- "$from")
     (cd "$unpacked" && cmake -E tar xf "$from") >/dev/null 2>&1 ||
       fail "$1 cannot be unpacked: give a folder, a .zip or a .tar.gz"
@@ -43,6 +43,7 @@ put() {
 update() {
   [ $# -eq 1 ] || fail "name the newer edition: ./run update FOLDER, or its archive"
   [ -e "$root/.edition" ] || fail "this is the whole project, not a learners' edition: update it with git"
+  [ "${BASH_VERSINFO[0]}" -ge 4 ] || fail "./run update needs bash 4, and this is bash $BASH_VERSION: install it (on macOS: brew install bash)"
   local edition path kept=() saved=()
   local -A hashes=() old=() new=() ours=()
   open_edition "$1"
@@ -67,8 +68,8 @@ update() {
   put .edition
   chmod +x "$root/run"
   echo "The newer edition is in place: $(head -1 "$root/docs/edition.txt" 2>/dev/null)"
-  [ ${#kept[@]} -eq 0 ] || echo "Your files are kept: $(printf '%s\n' "${kept[@]}" | sort -u | paste -sd' ')"
-  [ ${#saved[@]} -eq 0 ] || echo "You had changed other files; your versions are kept here: $(printf '%s\n' "${saved[@]}" | sort -u | paste -sd' ')"
+  [ ${#kept[@]} -eq 0 ] || echo "Your files are kept: $(printf '%s\n' "${kept[@]}" | sort -u | paste -sd' ' -)"
+  [ ${#saved[@]} -eq 0 ] || echo "You had changed other files; your versions are kept here: $(printf '%s\n' "${saved[@]}" | sort -u | paste -sd' ' -)"
 }
 
 # name_other_verdicts TABLE: grades with three seeds that nobody has seen, as whoever gives points does, and names the tasks whose line is
@@ -88,7 +89,7 @@ name_other_verdicts() {
 submit() {
   local target=${1:-firstlight-submission.zip} slug file files=() examples=() conflicts graded others half status=0
   case $target in *.zip) ;; *) fail "the archive has to be a .zip: ./run submit mine.zip" ;; esac
-  target=$(realpath -m -- "$target")
+  case $target in /*) ;; *) target=$PWD/$target ;; esac
   cd "$root"
   while read -r slug; do
     file=$(task_file "$slug")
@@ -97,7 +98,7 @@ submit() {
     file=${file%.cpp}.examples.cpp
     [ ! -e "student/$file" ] || examples+=("$file")
   done < <(tasks_meant)
-  conflicts=$(cd student && grep -nE '^(<<<<<<<|>>>>>>>)( |$)' "${files[@]}" | cut -d: -f1,2 | paste -sd' ') || true
+  conflicts=$(cd student && grep -nE '^(<<<<<<<|>>>>>>>)( |$)' "${files[@]}" | cut -d: -f1,2 | paste -sd' ' -) || true
   [ -z "$conflicts" ] || fail "a merge is not finished: remove the conflict markers first (student/: $conflicts)"
   graded=$(grade --no-pictures) || status=$?
   printf '%s\n' "$graded"
@@ -106,7 +107,7 @@ submit() {
   [ -z "$others" ] || printf 'Points are given with other random inputs than those at home. Of three other seeds:\n%s\n' "$others"
   half=$(mktemp -d)
   # shellcheck disable=SC2064
-  trap "rm -rf ${half@Q} ${target@Q}.half" EXIT
+  trap "rm -rf $(printf '%q ' "$half" "$target.half")" EXIT
   printf '%s\n' "$graded" >"$half/graded.txt"
   for file in "${files[@]}" ${examples[@]+"${examples[@]}"}; do
     mkdir -p "$half/$(dirname "$file")"
