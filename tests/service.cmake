@@ -18,9 +18,13 @@ if(FIRSTLIGHT_CLASS)
   find_package(LibArchive REQUIRED)  # makes the archives
   firstlight_test(test_intake quick LIBRARIES grader_intake LibArchive::LibArchive GTest::gmock SOURCES
     ${service}/intake/intake.cpp ${service}/intake/intake_platforms_test.cpp ${service}/intake/intake_archives_test.cpp
-    ${service}/intake/intake_trees_test.cpp ${service}/intake/intake_names_test.cpp)
+    ${service}/intake/intake_trees_test.cpp ${service}/intake/intake_names_test.cpp
+    DEFINES FIRSTLIGHT_ROOT="${PROJECT_SOURCE_DIR}")
   add_executable(forged_names ${service}/intake/forged_names_main.cpp)
   target_link_libraries(forged_names PRIVATE grader_intake firstlight_warnings)
+  target_compile_definitions(forged_names PRIVATE FIRSTLIGHT_ROOT="${PROJECT_SOURCE_DIR}")
+  firstlight_add_test(random_classes long NEEDS test_intake
+    COMMAND env FIRSTLIGHT_CLASSES=2000 $<TARGET_FILE:test_intake> --gtest_filter=*of_random*)
   firstlight_add_test(forged_names quick COMMAND forged_names 20000 NEEDS forged_names)
   set(class NEEDS grade graded_programs grade_class)
   firstlight_script_test(grade_class rest ${service}/classes/grade_class.sh ARGUMENTS ${programs}/grade_class ${class})

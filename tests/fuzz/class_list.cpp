@@ -51,8 +51,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       return std::string("it is not unpacked");
     }};
     const std::vector<TaskFile> tasks{{"2_bvh", "hit_box"}};
+    static const std::vector<NameForm> forms =
+        read_name_forms(FIRSTLIGHT_ROOT "/grader/name_forms.csv");
     for (const HandedIn& each :
-         handed_in(all, folder.path() + "/work", tasks, nothing_read).everybody) {
+         handed_in(all, folder.path() + "/work", tasks, nothing_read, forms).everybody) {
       fuzz::expect(names.insert(each.name).second);
       fuzz::expect(!each.name.empty() && each.name.find('/') == each.name.npos);
     }

@@ -64,9 +64,13 @@ void describe_plan(CLI::App& app, ClassOptions& options) {
   app.add_option("--penalty", options.plan.rules.penalty,
                  "percent of the points that each day takes that has begun after --due; default: 0")
       ->check(CLI::Range(0, 100));
+  app.add_option("--attempt", options.plan.rules.attempt,
+                 "which counts of several attempts in the export: last, task by task, or first; "
+                 "default: last")
+      ->check(CLI::IsMember({"last", "first"}));
   app.add_option("--overrides", options.plan.rules.overrides,
                  "points by hand, a CSV file with the columns id or name, points and word. These "
-                 "five stay until "
+                 "six stay until "
                  "another call names others; --overrides '' ends them");
   app.add_option("--forms", options.plan.forms,
                  "how another platform names what is handed in: a CSV file with the columns "

@@ -177,12 +177,14 @@ json to_json(const Rules& rules) {
           {"due", text_json(rules.due)},
           {"grace", rules.grace},
           {"penalty", rules.penalty},
-          {"overrides", text_json(rules.overrides)}};
+          {"overrides", text_json(rules.overrides)},
+          {"attempt", rules.attempt}};
 }
 
 Rules rules_from(const json& from) {
-  return {text_from(from.at("roster")), text_from(from.at("due")), from.at("grace").get<int>(),
-          from.at("penalty").get<int>(), text_from(from.at("overrides"))};
+  return {text_from(from.at("roster")),    text_from(from.at("due")),
+          from.at("grace").get<int>(),     from.at("penalty").get<int>(),
+          text_from(from.at("overrides")), from.value("attempt", "last")};
 }
 
 // The rules of the earlier grading, so that nobody's extension or points by hand are lost because an
@@ -281,16 +283,18 @@ ClassPlan make_plan(const build::Config& config, const std::string& programs,
   std::vector<intake::TaskFile> tasks;
   for (const build::TaskConfig& task : config.tasks) tasks.push_back({task.part, task.slug});
   const std::string unpacked = fs::absolute(folder_to_unpack(request.out));
+  const std::vector<intake::NameForm> forms = name_forms(config, request);
   intake::HandedInByAll all = intake::handed_in(
       request.input, unpacked, tasks,
-      intake::boxed_readers(config.root, config.work, programs, request.must_isolate), progress,
-      name_forms(config, request));
+      intake::boxed_readers(config.root, config.work, programs, request.must_isolate, forms), forms,
+      progress, plan.rules.attempt == "first" ? intake::Attempt::first : intake::Attempt::last);
   plan.everybody = std::move(all.everybody);
   plan.unclaimed = std::move(all.unclaimed);
   plan.work_is_unclaimed = all.work_is_unclaimed;
   for (intake::HandedIn& by : plan.everybody) {
     if (!by.folder.empty()) by.folder = fs::absolute(by.folder);
   }
+  if (!plan.worksheet.empty()) add_times_of_moodle(plan.worksheet, plan.everybody);
   plan.remarks = apply_rules(plan.rules, plan.everybody, request.anonymous);
   (void)read_overrides(plan.rules.overrides, plan.everybody);  // checked before anything is judged
   if (request.anonymous) hide_names(plan, request.out);

@@ -3,6 +3,8 @@
 #include "grader/base/printable.h"
 #include "grader/service/classes/people_table.h"
 #include "grader/service/intake/names_that_differ.h"
+#include "grader/service/intake/written_date.h"
+#include "grader/service/platforms/worksheet.h"
 #include "pt/error.h"
 #include "pt/number.h"
 
@@ -69,9 +71,9 @@ std::string shown_name(const intake::HandedIn& by) { return base::printable(by.n
 }  // namespace
 
 Rules rules_for(const RulesAsked& asked, const Rules& earlier) {
-  return {asked.roster.value_or(earlier.roster), asked.due.value_or(earlier.due),
-          asked.grace.value_or(earlier.grace), asked.penalty.value_or(earlier.penalty),
-          asked.overrides.value_or(earlier.overrides)};
+  return {asked.roster.value_or(earlier.roster),       asked.due.value_or(earlier.due),
+          asked.grace.value_or(earlier.grace),         asked.penalty.value_or(earlier.penalty),
+          asked.overrides.value_or(earlier.overrides), asked.attempt.value_or(earlier.attempt)};
 }
 
 std::string sentence_of(const Rules& rules) {
@@ -81,6 +83,7 @@ std::string sentence_of(const Rules& rules) {
     parts.push_back(fmt::format("due {}, {} minutes of grace, {} % less for each day", rules.due,
                                 rules.grace, rules.penalty));
   }
+  if (rules.attempt == "first") parts.emplace_back("the first of several attempts counts");
   if (!rules.overrides.empty()) parts.push_back("overrides " + rules.overrides);
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -175,6 +178,24 @@ std::vector<std::string> apply_rules(const Rules& rules, std::vector<intake::Han
     everybody = intake::with_names_that_differ(std::move(everybody));
   }
   return sentences;
+}
+
+void add_times_of_moodle(const std::string& worksheet, std::vector<intake::HandedIn>& everybody) {
+  const auto is_of_moodle = [](const intake::HandedIn& by) {
+    return by.platform == intake::Platform::moodle;
+  };
+  std::vector<platforms::GradeRow> rows;
+  for (const intake::HandedIn& by : everybody) {
+    if (is_of_moodle(by)) rows.push_back({by.name, by.id, false, 0, ""});
+  }
+  const auto times = platforms::read_worksheet(worksheet).modified(rows);
+  for (intake::HandedIn& by : everybody) {
+    const auto found = times.find(by.name);
+    if (!is_of_moodle(by) || found == times.end()) continue;
+    // Of a group, the latest.
+    for (const std::string& text : found->second)
+      by.handed_in = std::max(by.handed_in, intake::written_date(text).time);
+  }
 }
 
 std::map<std::size_t, Override> read_overrides(const std::string& path,

@@ -18,15 +18,16 @@ struct Rules {
   std::string
       due;        // a time as in seconds_of; empty: nothing is late but what the platform calls so
   int grace = 0;  // minutes after it that are forgiven
-  int penalty = 0;        // percent of the points for each day that has begun
-  std::string overrides;  // a table with the columns id, name, points, word; may be empty
+  int penalty = 0;               // percent of the points for each day that has begun
+  std::string overrides;         // a table with the columns id, name, points, word; may be empty
+  std::string attempt = "last";  // or "first": which counts of several
 
   bool operator==(const Rules&) const = default;
 };
 
 // Options of the command line: what is not given stays as it was in the earlier grading.
 struct RulesAsked {
-  std::optional<std::string> roster, due, overrides;
+  std::optional<std::string> roster, due, overrides, attempt;
   std::optional<int> grace, penalty;
 };
 Rules rules_for(const RulesAsked& asked, const Rules& earlier);
@@ -37,6 +38,9 @@ std::string sentence_of(const Rules& rules);
 // Seconds since 1970 of "2027-01-15 22:00", "2027-01-15T22:00:30+01:00" or one with Z. A time without an offset
 // is one of this machine's time zone. Nothing: it is another text.
 std::optional<std::int64_t> seconds_of(const std::string& time);
+
+// Moodle's names of files have no time: adds those of its worksheet, from the column "Last modified (submission)".
+void add_times_of_moodle(const std::string& worksheet, std::vector<intake::HandedIn>& everybody);
 
 // Adds everybody of the roster who has handed in nothing, and finds out who is late, by how many days. Returns
 // sentences for the instructor. `quiet`: they name nobody. Throws pt::Error, with the line, if the roster or the time due cannot be used.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -11,20 +11,31 @@ namespace grader::intake {
 
 struct Label;
 
-// A form such as "{name}({id})" or "{id}_{any}_{attempt}_{file}". Fields: the learner's name and ID, the attempt (digits and
-// signs; the largest is the last), the learner's name for the file, and {any} for what does not matter, without `_`. The
-// key is the name and the ID, so that two names with one ID are no single learner. A form without {file} is that of folders and archives.
+// A form such as "{name}({id})" or "{id}_{any}_{attempt}[_{file}]". What stands in [ ] may be missing. The fields are in kinds() of
+// form_table.cpp, and in docs/instructors/platforms.md. The key is the name and the ID, so that two names with one ID are no single learner.
 struct NameForm {
-  std::string platform;
-  std::vector<std::string> fields;  // in their order in the form
-  std::regex shortest, longest;     // each field as short or as long as can be, from the left
+  struct Part {
+    std::string field, text;  // one of both is empty
+  };
+  using Parts = std::vector<Part>;
+
+  std::string platform, pattern;
+  std::vector<Parts> readings;  // with and without what stands in [ ]; the first that fits counts
 };
 
-// Reads a CSV file with the columns `platform` and `pattern`. Throws pt::Error, with the line, for a form that names no learner or has a
-// field that there is not.
+// Throws pt::Error, with the reason, for a form that names no learner or has a field that there is not.
+NameForm name_form(const std::string& platform, const std::string& pattern);
+
+// Reads a CSV file with the columns `platform` and `pattern`. Throws pt::Error, with the line, for a form that cannot be used.
 std::vector<NameForm> read_name_forms(const std::string& path);
 
-// The name as this form reads it; nothing: it has another form. Where it can be read in two ways, the label has the other as its rival.
-std::optional<Label> read_by(const NameForm& form, const std::string& name);
+// The name as this form reads it; nothing: it has another form. A form without {file} and {text} is that of folders and archives. Where
+// the name can be read in two ways, the label has the other as its rival. Not so in a form with a {date}: the platform writes it before
+// what a learner has chosen, so the first date is the platform's.
+std::optional<Label> read_by(const NameForm& form, const std::string& name, bool is_folder);
+
+// The text between {same} and {name}, if the form has them: all names of the platform have the same text before it. Their labels' names are {same},
+// this text and {name}, until all are known.
+std::string between_same_and_name(const NameForm& form);
 
 }  // namespace grader::intake

@@ -61,11 +61,11 @@ Labels labels_of(const std::vector<fs::directory_entry>& entries,
 class Intake {
  public:
   Intake(fs::path work, const std::vector<TaskFile>& tasks, const Readers& readers,
-         const Progress& progress, const std::vector<NameForm>& table)
+         const std::vector<NameForm>& table, const Progress& progress, Attempt attempt)
       : work_(std::move(work)),
-        tools_{tasks, readers, [this] { return next_folder(); }},
-        progress_(progress),
-        table_(table) {
+        tools_{tasks, readers, [this] { return next_folder(); }, attempt},
+        table_(table),
+        progress_(progress) {
     fs::remove_all(work_);
   }
 
@@ -291,8 +291,8 @@ class Intake {
 
   fs::path work_;
   IntakeTools tools_;
-  const Progress& progress_;
   const std::vector<NameForm>& table_;
+  const Progress& progress_;
   std::size_t done_ = 0, all_ = 0;
   int folders_ = 0;
   Labels labels_;
@@ -306,8 +306,9 @@ class Intake {
 
 HandedInByAll handed_in(const std::string& input, const std::string& work,
                         const std::vector<TaskFile>& tasks, const Readers& readers,
-                        const Progress& progress, const std::vector<NameForm>& table) {
-  return Intake(work, tasks, readers, progress, table).run(input);
+                        const std::vector<NameForm>& table, const Progress& progress,
+                        Attempt attempt) {
+  return Intake(work, tasks, readers, table, progress, attempt).run(input);
 }
 
 }  // namespace grader::intake

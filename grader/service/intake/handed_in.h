@@ -43,13 +43,9 @@ struct HandedInByAll {
 
 // Lists the submissions in a folder or an archive:
 //   Canvas      files lovelaceada_LATE_123_456_hit_box-1.cpp; the last resubmission counts
-//   Moodle      folders Ada Lovelace_123_assignsubmission_file, or files that start like that
 //   Gradescope  folders submission_123, and submission_metadata.yml with the names
-//   D2L         "12-34 - Ada Lovelace - Jan 15, 2027 1005 PM - hit_box.cpp"
-//   Blackboard  hw_ada_attempt_2027-01-15-22-05-00_hit_box.cpp
-//   Autolab     ada@school.edu_3_hit_box.cpp
+//   a table     forms of names of all other platforms (grader/name_forms.csv), and those that an instructor adds
 //   other       one folder or archive per submission
-//   a table     forms of names that an instructor adds (grader/service/intake/form_table.h)
 // Leading folders that everything shares are skipped. prepare_submission finds the task files.
 // Unpacked or copied files are put below `work`, from where files of an earlier call are removed.
 // A submission that is a link, cannot be read, or is ambiguous has a problem, and so have two with
@@ -57,7 +53,7 @@ struct HandedInByAll {
 // submission, or if the machine is at fault.
 HandedInByAll handed_in(
     const std::string& input, const std::string& work, const std::vector<TaskFile>& tasks,
-    const Readers& readers, const Progress& progress = [](std::size_t, std::size_t) {},
-    const std::vector<NameForm>& table = {});
+    const Readers& readers, const std::vector<NameForm>& table,
+    const Progress& progress = [](std::size_t, std::size_t) {}, Attempt attempt = Attempt::last);
 
 }  // namespace grader::intake

@@ -1,10 +1,9 @@
 #include "grader/service/intake/owner.h"
 
+#include "grader/service/intake/canvas_form.h"
 #include "grader/service/intake/entry_path.h"
-#include "grader/service/intake/name_forms.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 #include <map>
@@ -15,17 +14,36 @@ namespace grader::intake {
 
 namespace {
 
-// The last form has no words of its own, so it comes last where several fit all names.
-constexpr std::array kForms{moodle, d2l, blackboard, autolab, canvas};
-constexpr std::size_t kBlackboard = 2, kCanvas = 4;
+using Forms = std::vector<Found>;  // one name, as each platform would read it; the last is Canvas
 
-using Forms = std::vector<Found>;  // one name, as each platform would read it
+// The forms of one platform. The first that fits a name counts.
+using OfPlatform = std::vector<const NameForm*>;
+
+std::vector<OfPlatform> platforms_of(const std::vector<NameForm>& table) {
+  std::vector<OfPlatform> platforms;
+  for (const NameForm& form : table) {
+    const auto known = std::ranges::find(platforms, form.platform,
+                                         [](const OfPlatform& each) { return each[0]->platform; });
+    if (known == platforms.end())
+      platforms.push_back({&form});
+    else
+      known->push_back(&form);
+  }
+  return platforms;
+}
+
+Found read_by_first(const OfPlatform& forms, const std::string& name, bool is_folder) {
+  for (const NameForm* form : forms) {
+    if (Found label = read_by(*form, name, is_folder)) return label;
+  }
+  return {};
+}
 
 // Reads uncertain names of Canvas again, now that the numbers of the others' files are known.
 void read_again(std::map<std::string, Forms>& all) {
   Numbers certain;
   for (const auto& [name, forms] : all) {
-    const Found& label = forms[kCanvas];
+    const Found& label = forms.back();
     if (!label || !label->certain || label->text) continue;
     certain.least = std::min(certain.least, number(label->order));
     certain.largest = std::max(certain.largest, number(label->order));
@@ -34,7 +52,7 @@ void read_again(std::map<std::string, Forms>& all) {
       certain.largest_id = std::max(certain.largest_id, number(label->id));
   }
   for (auto& [name, forms] : all) {
-    Found& label = forms[kCanvas];
+    Found& label = forms.back();
     if (label && !label->certain) label = canvas_among(name, certain);
   }
 }
@@ -46,7 +64,7 @@ bool is_consistent(const std::map<std::string, Forms>& all) {
   std::map<std::string, std::string> learners;
   const auto fits = [&](bool certain) {
     return std::ranges::all_of(all, [&](const auto& each) {
-      const Found& label = each.second[kCanvas];
+      const Found& label = each.second.back();
       if (!label || label->certain != certain) return true;
       return (label->text || numbers.insert(label->order).second) &&
              learners.try_emplace(label->id, label->name).first->second == label->name;
@@ -67,16 +85,18 @@ std::vector<std::size_t> by_number(const std::map<std::string, Forms>& all) {
   return order;
 }
 
-// The assignment's name is the beginning that all have in common.
-void split_names_of_blackboard(const std::vector<Label*>& labels) {
+// The text before the name is the beginning that all have in common, up to the last `between`.
+void split_same(const std::vector<Label*>& labels, const std::string& between) {
   std::string common = labels.empty() ? "" : labels[0]->name;
   for (const Label* label : labels) {
     const auto differs = std::ranges::mismatch(common, label->name).in1;
     common.erase(differs, common.end());
   }
-  const std::size_t end = common.rfind('_');
+  const std::size_t last = common.rfind(between);
+  if (last == common.npos) return;
+  const std::size_t end = last + between.size();
   for (Label* label : labels) {
-    if (end != common.npos && end + 1 < label->name.size()) label->name.erase(0, end + 1);
+    if (end < label->name.size()) label->name.erase(0, end);
   }
 }
 
@@ -100,32 +120,36 @@ struct Begun {
 
 Labels::Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders,
                const std::vector<NameForm>& table) {
+  const std::vector<OfPlatform> platforms = platforms_of(table);
   std::map<std::string, Forms> all;
   for (const std::vector<std::string>* names : {&files, &folders}) {
+    const bool are_folders = names == &folders;
     for (const std::string& name : *names) {
       const auto [entry, is_new] = all.try_emplace(name);
       if (!is_new) continue;
-      const std::size_t forms = names == &files ? kForms.size() : kCanvas;  // Canvas has no folders
-      for (std::size_t i = 0; i < forms; ++i) entry->second.push_back(kForms[i](name));
-      entry->second.resize(kForms.size());
-      for (const NameForm& form : table) entry->second.push_back(read_by(form, name));
+      for (const OfPlatform& forms : platforms)
+        entry->second.push_back(read_by_first(forms, name, are_folders));
+      entry->second.push_back(are_folders ? Found() : canvas(name));  // it exports no folders
     }
   }
   read_again(all);
   if (!is_consistent(all)) {
-    for (auto& [name, forms] : all) forms[kCanvas].reset();
+    for (auto& [name, forms] : all) forms.back().reset();
   }
   const std::vector<std::size_t> order = by_number(all);
-  std::vector<Label*> of_blackboard;
+  std::vector<std::vector<Label*>> of_platform(platforms.size() + 1);
   for (auto& [name, forms] : all) {
     const auto form = std::ranges::find_if(
         order, [&forms = forms](std::size_t i) { return forms[i].has_value(); });
     if (form == order.end()) continue;
     Label& label = labels_[name] = *forms[*form];
     label.before = name.substr(0, name.size() - std::min(name.size(), label.file.size()));
-    if (*form == kBlackboard) of_blackboard.push_back(&label);
+    of_platform[*form].push_back(&label);
   }
-  split_names_of_blackboard(of_blackboard);
+  for (std::size_t i = 0; i < platforms.size(); ++i) {
+    const std::string between = between_same_and_name(*platforms[i][0]);
+    if (!between.empty()) split_same(of_platform[i], between);
+  }
 }
 
 std::optional<Label> Labels::of(const std::string& name) const {
@@ -133,12 +157,13 @@ std::optional<Label> Labels::of(const std::string& name) const {
   return found == labels_.end() ? std::nullopt : std::optional(found->second);
 }
 
-Owners::Owners(const std::vector<Place>& paths) : depth_(folders_around(paths)) {
+Owners::Owners(const std::vector<Place>& paths, const std::vector<NameForm>& table)
+    : depth_(folders_around(paths)) {
   std::vector<std::string> files, folders;
   for (const Place& path : paths) {
     if (path.size() > depth_) (path.size() == depth_ + 1 ? files : folders).push_back(path[depth_]);
   }
-  labels_ = Labels(files, folders);
+  labels_ = Labels(files, folders, table);
   in_doubt_ = may_be_two(paths);
 }
 

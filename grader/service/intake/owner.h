@@ -36,9 +36,10 @@ struct Label {
 class Labels {
  public:
   Labels() = default;
-  // `table`: more forms, which count where no form of ours has as many names.
+  // `table`: the forms of all platforms but Canvas. Of two that as many names have, that which comes first in it counts, and Canvas'
+  // last, as it has no words of its own.
   Labels(const std::vector<std::string>& files, const std::vector<std::string>& folders,
-         const std::vector<NameForm>& table = {});
+         const std::vector<NameForm>& table);
 
   // Nothing: no platform names its files so.
   std::optional<Label> of(const std::string& name) const;
@@ -57,7 +58,7 @@ inline constexpr const char* kHidden = ".";
 class Owners {
  public:
   Owners() = default;
-  explicit Owners(const std::vector<std::vector<std::string>>& paths);
+  Owners(const std::vector<std::vector<std::string>>& paths, const std::vector<NameForm>& table);
 
   // The number of leading folders that everything shares.
   std::size_t depth() const { return depth_; }

@@ -3,6 +3,7 @@
 #include "grader/service/intake/file_name.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <string>
@@ -17,6 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kFirstCounts = "of several attempts the first counts";
+
 // A file's name without Canvas' resubmission number, and that number. Only task files have such a
 // number: part-1.zip and part-2.zip are two files.
 std::pair<std::string, int> resubmission(const std::string& name,
@@ -27,12 +30,11 @@ std::pair<std::string, int> resubmission(const std::string& name,
   return {found[1].str() + found[3].str(), std::stoi(found[2])};
 }
 
-// The folder of one attempt: its last folder if it has any, else a copy of its files.
+// The folder of one attempt: its only folder, else a copy of all that it has.
 Prepared folder_of(const std::vector<const Piece*>& attempt, const IntakeTools& tools) {
   std::map<std::string, std::pair<int, const Piece*>> counts;
   Prepared result;
   for (const Piece* piece : attempt) {
-    if (piece->label.file.empty() && fs::is_directory(piece->path)) result.folder = piece->path;
     const auto [name, number] = resubmission(piece->label.file, tools.tasks);
     auto& [newest, one] = counts[name];
     const Piece* former = one;
@@ -43,7 +45,11 @@ Prepared folder_of(const std::vector<const Piece*>& attempt, const IntakeTools& 
                                 as_file_name((one == piece ? former : piece)->path.filename()));
     }
   }
-  if (!result.folder.empty()) return result;
+  const Piece& first = *counts.begin()->second.second;
+  if (counts.size() == 1 && first.label.file.empty() && fs::is_directory(first.path)) {
+    result.folder = first.path;
+    return result;
+  }
   result.folder = tools.next_folder();
   fs::create_directories(result.folder);
   constexpr auto kAll = fs::copy_options::recursive | fs::copy_options::skip_existing |
@@ -63,13 +69,15 @@ bool dates_are_unknown(const std::vector<Piece>& all) {
 Prepared prepared(const std::string& name, const std::vector<Piece>& all,
                   const IntakeTools& tools) {
   if (dates_are_unknown(all))
-    return {"", fmt::format(
-                    "it has several attempts, and their dates cannot be read ('{}'); keep the last",
-                    as_file_name(all[0].label.dated))};
+    return {"",
+            fmt::format("it has several attempts, and their dates cannot be read ('{}'); keep one",
+                        as_file_name(all[0].label.dated))};
   std::map<std::string, std::vector<const Piece*>> attempts;
   for (const Piece& piece : all) attempts[piece.label.attempt].push_back(&piece);
   std::vector<fs::path> folders;
   std::string note;
+  const bool are_left_out = tools.attempt == Attempt::first && attempts.size() > 1;
+  if (are_left_out) attempts.erase(std::next(attempts.begin()), attempts.end());
   for (const auto& [attempt, pieces] : attempts) {
     Prepared one =
         read_handed_in(name, "", [&pieces = pieces, &tools] { return folder_of(pieces, tools); });
@@ -79,7 +87,8 @@ Prepared prepared(const std::string& name, const std::vector<Piece>& all,
   }
   Prepared result = folders.size() == 1 ? prepare_submission(name, folders[0], tools)
                                         : prepare_attempts(name, folders, tools);
-  result.note += (note.empty() || result.note.empty() ? "" : "; ") + note;
+  for (const std::string& more : {note, std::string(are_left_out ? kFirstCounts : "")})
+    result.note += (more.empty() || result.note.empty() ? "" : "; ") + more;
   return result;
 }
 
@@ -103,7 +112,7 @@ HandedIn one_submission(Pieces pieces, const IntakeTools& tools) {
     return std::tie(a.label.attempt, a.label.order) < std::tie(b.label.attempt, b.label.order);
   });
   const Label& last = all.back().label;
-  by.handed_in = last.handed_in;
+  by.handed_in = (tools.attempt == Attempt::first ? all.front().label : last).handed_in;
   if (by.platform != Platform::none) {
     // The platforms identify a file by the text before the learner's own name for it.
     by.feedback = last.before + (last.file.empty() ? "/report.html" : "report.html");

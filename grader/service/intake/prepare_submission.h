@@ -30,11 +30,15 @@ struct Readers {
   Flatten flatten{};  // without it, clones are not noticed
 };
 
+// The attempt that counts, of several. The last counts task by task; the first counts alone, as files of a later one are late.
+enum class Attempt { last, first };
+
 // Settings for all submissions of a class.
 struct IntakeTools {
   const std::vector<TaskFile>& tasks;
   const Readers& readers;
   std::function<std::filesystem::path()> next_folder;  // a path below `work` that is not there yet
+  Attempt attempt = Attempt::last;
 };
 
 // A submission as the judge reads it.

@@ -52,10 +52,12 @@ bool is_useful(const std::string& name) {
 
 class Unpacking {
  public:
-  Unpacking(int file, std::string name, fs::path folder, Extent extent, const Limits& limits)
+  Unpacking(int file, std::string name, fs::path folder, Extent extent, const Limits& limits,
+            const std::vector<NameForm>& table)
       : folder_(std::move(folder)),
         of_all_(extent == Extent::everybody),
         limits_(limits),
+        table_(table),
         bounds_(of_all_ ? limits.everybody : limits.one),
         reader_(file, std::move(name), bounds_) {}
 
@@ -119,7 +121,7 @@ class Unpacking {
       }
       paths.push_back(std::move(place));
     }
-    owners_ = Owners(paths);
+    owners_ = Owners(paths, table_);
     for (const std::vector<std::string>& place : owners_.in_doubt()) blame(place, kTwoOfThatName);
   }
 
@@ -246,6 +248,7 @@ class Unpacking {
   bool of_all_, outside_ = false;
   std::set<std::string> outside_files_, sources_;  // names of source files
   Limits limits_;
+  const std::vector<NameForm>& table_;
   Bounds bounds_;  // of this archive
   ArchiveReader reader_;
   Owners owners_;
@@ -259,17 +262,17 @@ class Unpacking {
 }  // namespace
 
 void unpack(const std::string& archive, const std::string& folder, Extent extent,
-            const Limits& limits) {
+            const Limits& limits, const std::vector<NameForm>& table) {
   const std::string name = fs::path(archive).filename();
   const base::Descriptor file(::open(archive.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.is_open()) throw pt::Error(fmt::format("'{}' cannot be read", name));
   fs::create_directories(folder);
-  unpack(file.number(), name, folder, extent, limits);
+  unpack(file.number(), name, folder, extent, limits, table);
 }
 
 void unpack(int archive, const std::string& name, const std::string& folder, Extent extent,
-            const Limits& limits) {
-  Unpacking(archive, name, folder, extent, limits).run();
+            const Limits& limits, const std::vector<NameForm>& table) {
+  Unpacking(archive, name, folder, extent, limits, table).run();
 }
 
 std::vector<Fault> read_faults(const std::string& folder) {

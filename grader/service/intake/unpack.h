@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/service/intake/form_table.h"
 #include "grader/service/intake/prepare_submission.h"
 
 #include <cstddef>
@@ -43,13 +44,13 @@ struct Limits {
 // In an archive of the whole class, each owner has the bounds of `one`. A fault in an entry belongs
 // to its owner: read_faults returns it, and the other owners' files are unpacked. Every owner gets
 // a folder or a file, which may be empty. The owner is the first part of the path below the folders
-// that all entries share, or the learner named in that part (grader/service/intake/owner.h).
+// that all entries share, or the learner named in that part (grader/service/intake/owner.h) by the forms in `table`.
 void unpack(const std::string& archive, const std::string& folder, Extent extent = Extent::one,
-            const Limits& limits = {});
+            const Limits& limits = {}, const std::vector<NameForm>& table = {});
 
 // Unpacks an open archive, which messages call `name`.
 void unpack(int archive, const std::string& name, const std::string& folder, Extent extent,
-            const Limits& limits = {});
+            const Limits& limits = {}, const std::vector<NameForm>& table = {});
 
 // The reason why part of an archive is missing.
 struct Fault {

@@ -96,7 +96,8 @@ Worksheet::Worksheet(std::string text, std::string path)
       can_change_(column("Grade can be changed")),
       comment_(column("Feedback comments", false)),
       name_(column("Full name", false)),
-      group_(column("Group", false)) {
+      group_(column("Group", false)),
+      modified_(column("Last modified (submission)", false)) {
   std::set<std::string> known;
   for (std::size_t i = 1; i < table_.rows.size(); ++i) {
     const CsvRow& row = table_.rows[i];
@@ -198,6 +199,15 @@ std::map<std::string, std::vector<std::string>> Worksheet::pages(
         match.alone ? path_of(*match.learner)
                     : fmt::format("Participant_{}_assignsubmission_file_/report.html", number));
   }
+  return all;
+}
+
+std::map<std::string, std::vector<std::string>> Worksheet::modified(
+    const std::vector<GradeRow>& rows) const {
+  std::map<std::string, std::vector<std::string>> all;
+  if (modified_ == kNone) return all;
+  for (const Match& match : matches(rows).all)
+    all[match.learner->name].push_back(match.row->cells[modified_].value);
   return all;
 }
 

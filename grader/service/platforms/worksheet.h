@@ -42,6 +42,9 @@ class Worksheet {
       const std::vector<GradeRow>& rows,
       const std::function<std::string(const GradeRow&)>& path_of) const;
 
+  // The times of the last change of a submission, as they are written, by the learner's name: a group has one of each member.
+  std::map<std::string, std::vector<std::string>> modified(const std::vector<GradeRow>& rows) const;
+
  private:
   // A participant's row, and who hands in for this participant.
   struct Match {
@@ -62,7 +65,7 @@ class Worksheet {
 
   std::string text_, path_;
   report::CsvTable table_;  // the first row names the columns
-  std::size_t identifier_, grade_, maximum_, can_change_, comment_, name_, group_;
+  std::size_t identifier_, grade_, maximum_, can_change_, comment_, name_, group_, modified_;
 };
 
 // Throws pt::Error if the file is missing, or is not a worksheet.

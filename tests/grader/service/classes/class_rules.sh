@@ -82,6 +82,37 @@ grep -qF '&lt;b&gt;well done' "$folder/again/Ada.html" || complain 'a word by ha
 grades 0 --overrides '' --penalty 0
 row 'row["Cy"]["grade"] == str(full) and row["Missing; M"]["grade"] == "0"'
 
+# The first attempt alone, and its time.
+out=first grades 0 --attempt first --penalty 10 --due '2027-01-15 22:00' --roster "$folder/roster.csv" --overrides ''
+says 'the first of several attempts counts'
+out=first row 'row["Cy"]["days_late"] == "2" and row["Cy"]["note"].startswith("of several attempts the first counts")'
+! grep -qF '// changed' "$folder/first/Cy.html" || complain 'a later attempt counts'
+grep -qF '// changed' "$folder/graded/Cy.html" || complain 'the last attempt does not count'
+
+# Moodle's worksheet has the times.
+mkdir "$folder/moodle"
+for learner in 'Ada L_7' Bob_8; do
+  mkdir "$folder/moodle/${learner}_assignsubmission_file"
+  cp reference/1_rays/hit_sphere.cpp "$folder/moodle/${learner}_assignsubmission_file"
+done
+cat >"$folder/sheet.csv" <<'CSV'
+Identifier,Full name,Grade,Maximum Grade,Grade can be changed,Last modified (submission)
+Participant 7,Ada L,,MOST,Yes,"Friday, 15 January 2027, 9:59 PM"
+Participant 8,Bob,,MOST,Yes,"Saturday, 16 January 2027, 11:05 PM"
+Participant 9,Cy,,MOST,Yes,-
+CSV
+sed -i "s/MOST/$(python3 -c 'import csv, sys; print(int(next(csv.DictReader(open(sys.argv[1], encoding="utf-8-sig")))["points"]))' "$folder/graded/class.csv")/" "$folder/sheet.csv"
+mv "$folder/class" "$folder/of d2l"
+mv "$folder/moodle" "$folder/class"
+out=moodle grades 0 --worksheet "$folder/sheet.csv" --due '2027-01-15 22:00' --penalty 10
+out=moodle python3 - "$folder/moodle/class.csv" <<'PYTHON' || complain 'the times of the worksheet do not count'
+import csv, sys
+row = {line["submission"]: line for line in csv.DictReader(open(sys.argv[1], newline="", encoding="utf-8-sig"))}
+assert row["Ada L"]["days_late"] == "" and row["Bob"]["days_late"] == "2" and row["Bob"]["grade_reason"] == "2 days late, 20 % less"
+PYTHON
+rm -r "$folder/class"
+mv "$folder/of d2l" "$folder/class"
+
 # Without a time that anybody names, nothing is taken off, which is said; a roster may have the time.
 cp -r "$folder/class" "$folder/with times"
 rm -r "$folder/class/"*

@@ -48,7 +48,7 @@ struct Learner {
 // The text that the platform writes before a learner's own name of a file. The numbers of Canvas
 // are large, as it counts the files of all its courses.
 using Platform = std::string (*)(const Learner& learner, int file);
-constexpr std::array<Platform, 6> kPlatforms{
+constexpr std::array<Platform, 7> kPlatforms{
     [](const Learner& by, int file) {
       return fmt::format("{}_{}_{}_", by.name, by.id, 100000 + file);
     },
@@ -69,6 +69,9 @@ constexpr std::array<Platform, 6> kPlatforms{
     },
     [](const Learner& by, int file) {
       return fmt::format("{}{}@school.edu_{}_", by.name, by.id, 1 + file);
+    },
+    [](const Learner& by, int file) {
+      return fmt::format("{}{}@school.edu_1_box_1_{}_{}_", by.name, by.id, 1 + file, 900 + file);
     }};
 
 // A name that a learner may choose: pieces of every form, with the names and numbers of others.
@@ -97,7 +100,7 @@ std::string forged(const std::vector<Learner>& all) {
         name += below(2) == 0 ? kAttempt : any(kDates);
         break;
       default:
-        name += kPlatforms[static_cast<std::size_t>(below(6))](other, below(9));
+        name += kPlatforms[static_cast<std::size_t>(below(kPlatforms.size()))](other, below(9));
         break;
     }
   }
@@ -112,7 +115,7 @@ struct File {
 // One export. The first learner forges names, the second has ordinary names, and the others have
 // both kinds. Returns the number of names; 0 if somebody else's file is not read as theirs.
 std::size_t try_export() {
-  const Platform platform = kPlatforms[static_cast<std::size_t>(below(6))];
+  const Platform platform = kPlatforms[static_cast<std::size_t>(below(kPlatforms.size()))];
   std::vector<Learner> all;
   std::set<int> ids;
   for (int i = 2 + below(3); i > 0; --i) {
@@ -131,7 +134,9 @@ std::size_t try_export() {
   }
   std::vector<std::string> names;
   for (const auto& [name, file] : files) names.push_back(name);
-  const Labels labels(names, {});
+  static const auto forms =
+      grader::intake::read_name_forms(FIRSTLIGHT_ROOT "/grader/name_forms.csv");
+  const Labels labels(names, {}, forms);
   std::map<std::string, std::size_t> keys, numbers;
   for (const auto& [name, file] : files) {
     const std::optional<Label> label = labels.of(name);

@@ -53,6 +53,12 @@ std::string archive_of(const std::vector<Entry>& entries, Format format) {
   return bytes;
 }
 
+const std::vector<NameForm>& known_forms() {
+  static const std::vector<NameForm> forms =
+      read_name_forms(FIRSTLIGHT_ROOT "/grader/name_forms.csv");
+  return forms;
+}
+
 namespace {
 
 // Returns what the judge reads in a submission, by task, or why it rejects it.
@@ -82,7 +88,7 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
   const Unpack unpack_here = [this](const std::string& archive, const std::string& folder,
                                     Extent extent) {
     try {
-      unpack(archive, folder, extent, limits_);
+      unpack(archive, folder, extent, limits_, forms_);
       return std::string();
     } catch (const pt::Error& error) {
       return std::string(error.what());
@@ -98,7 +104,7 @@ std::map<std::string, Intake::Seen> Intake::seen(const fs::path& input) const {
   };
   const Readers readers{unpack_here, flatten_here};
   std::map<std::string, Seen> all;
-  const HandedInByAll handed = handed_in(input, folder_.path() + "/work", kTasks, readers);
+  const HandedInByAll handed = handed_in(input, folder_.path() + "/work", kTasks, readers, forms_);
   unclaimed_ = handed.unclaimed;
   work_is_unclaimed_ = handed.work_is_unclaimed;
   for (const HandedIn& each : handed.everybody) {

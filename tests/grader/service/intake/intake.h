@@ -28,6 +28,9 @@ enum class Format { zip, zip_stored, zip_encrypted, tar_gz, tar_bz2, tar_xz, tar
 // The bytes of an archive with these entries, as other programs make it.
 std::string archive_of(const std::vector<Entry>& entries, Format format = Format::zip);
 
+// The project's own forms of names.
+const std::vector<NameForm>& known_forms();
+
 // Bounds that a small archive exceeds. The archive of a whole class has the usual bounds.
 inline const Limits kSmall{{1000, 20, std::uint64_t{2} << 20, kBoundsOfOne.unpacked},
                            kBoundsOfEverybody};
@@ -67,6 +70,7 @@ class Intake : public testing::Test {
 
   TemporaryFolder folder_;
   Limits limits_;
+  std::vector<NameForm> forms_ = known_forms();
   mutable std::vector<std::string> unclaimed_;  // of the last call
   mutable bool work_is_unclaimed_ = false;
 

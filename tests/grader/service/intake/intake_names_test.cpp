@@ -2,8 +2,13 @@
 #include "pt/file.h"
 #include "tests/grader/service/intake/intake.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
 #include <map>
 #include <random>
+#include <regex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,34 +97,39 @@ TEST_F(Intake, a_number_behind_a_name_is_nobodys_name) {
   }
 }
 
+// The number of random classes; FIRSTLIGHT_CLASSES=2000 in the long test.
+int random_classes() {
+  const char* asked = std::getenv("FIRSTLIGHT_CLASSES");
+  return asked == nullptr ? 25 : std::stoi(asked);
+}
+
 // Classes of folders and archives whose names differ in little. The text of each file names its owner.
 TEST_F(Intake, of_random_classes_every_row_is_its_owners_or_has_a_problem) {
   std::mt19937 random(70);
   const auto one_of = [&](const std::vector<std::string>& all) {
     return all[random() % all.size()];
   };
-  for (int number = 0; number < 25; ++number) {
+  for (int number = 0; number < random_classes(); ++number) {
     std::map<std::string, std::string> claims;  // the owner by the name without an ending
     std::map<std::string, int> claimed;
-    const std::string top = fmt::format("{}/", number);
+    fs::remove_all(in());
     for (int i = 0; i < 6; ++i) {
       const std::string name =
           one_of({"Ada", "ada", "ad\xc3\xa1", "ada_1", "ada 1"}) + one_of({"", "", " (2)", " (1)"});
       const std::string ending = one_of({"", "", ".zip", ".tar.gz"});
       const std::string owner = name + ending;
-      if (fs::exists(in(top + owner))) continue;
+      if (fs::exists(in(owner))) continue;
       ++claimed[name];
       claims[name] = owner;
       const std::string task =
           one_of({"hit_box.cpp", "hit_box (1).cpp", "student/1_rays/hit_box.cpp"});
       if (ending.empty()) {
-        add(top + owner + "/" + task, owner);
+        add(owner + "/" + task, owner);
       } else {
-        add(top + owner,
-            archive_of({{task, owner}}, ending == ".zip" ? Format::zip : Format::tar_gz));
+        add(owner, archive_of({{task, owner}}, ending == ".zip" ? Format::zip : Format::tar_gz));
       }
     }
-    const auto all = seen(in(top));
+    const auto all = seen();
     for (const auto& [row, found] : all) {
       if (!found.problem.empty()) continue;
       ASSERT_EQ(found.judged.size(), 1U) << row;
@@ -131,6 +141,141 @@ TEST_F(Intake, of_random_classes_every_row_is_its_owners_or_has_a_problem) {
     for (const auto& [name, count] : claimed) rows += count;
     EXPECT_EQ(static_cast<int>(all.size()), rows);
   }
+}
+
+struct Learner {
+  std::string name, id;
+};
+
+// The text before a learner's own name of a file, in the export of a platform.
+using Before = std::function<std::string(const Learner& learner, int file)>;
+
+std::string without_underscores(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+// Canvas writes - for the `_` around a number in the middle of a name.
+std::string as_canvas_writes(const std::string& name) {
+  return std::regex_replace(name, std::regex("_(\\d+)_"), "-$1-");
+}
+
+const std::vector<Before> kBefore{
+    [](const Learner& by, int file) {
+      return fmt::format("{}_{}_{}_", as_canvas_writes(by.name), by.id, 9000 + file);
+    },
+    [](const Learner& by, int) {
+      return fmt::format("{}_{}_assignsubmission_file_", without_underscores(by.name), by.id);
+    },
+    [](const Learner& by, int) {
+      return fmt::format("{}_{}_assignsubmission_file_/", without_underscores(by.name), by.id);
+    },
+    [](const Learner& by, int) {
+      return fmt::format("{}-9 - {} - Jan 15, 2027 1005 PM - ", by.id, by.name);
+    },
+    [](const Learner& by, int) {
+      return fmt::format("HW_1_{}{}_attempt_2027-01-15-22-05-33_", by.name, by.id);
+    },
+    [](const Learner& by, int file) { return fmt::format("u{}@x.org_{}_", by.id, 1 + file); },
+    [](const Learner& by, int file) {
+      return fmt::format("u{}@x.org_1_box_1_{}_{}_", by.id, 1 + file, 900 + file);
+    },
+    [](const Learner& by, int) { return fmt::format("{}, A({})/", by.name, by.id); }};
+
+// Names of which one is the key of another, as its platform writes it, and files that are called like them.
+TEST_F(Intake, of_random_exports_every_row_is_its_owners_or_has_a_problem) {
+  std::mt19937 random(71);
+  const auto one_of = [&](const std::vector<std::string>& all) {
+    return all[random() % all.size()];
+  };
+  for (int number = 0; number < random_classes(); ++number) {
+    fs::remove_all(in());
+    const Before& before = kBefore[random() % kBefore.size()];
+    std::map<std::string, std::string> ids;  // by the text of the owner's files
+    std::vector<Learner> learners;
+    for (int id = 1; id < 6; ++id) {
+      learners.push_back({one_of({"Ada", "ada", "ad\xc3\xa1", "Ada_2", "Ada 2", "3", "Ada_3_9001",
+                                  "Ada - x", "Ada (2)", "Ada_2_assignsubmission_file"}),
+                          std::to_string(id)});
+    }
+    int file = 0;
+    for (const Learner& by : learners) {
+      const std::string owner = by.name + " with the ID " + by.id;
+      ids[owner] = by.id;
+      const std::string called = one_of({"", "", before(learners[random() % learners.size()], 8)});
+      add(before(by, ++file) + "hit_box.cpp", owner);
+      if (!called.empty() && called.back() != '/')
+        add(before(by, ++file) + called + "hit_box.cpp", owner);
+    }
+    std::set<std::string> owners;
+    bool has_problem = false;
+    for (const auto& [row, found] : seen()) {
+      has_problem = has_problem || !found.problem.empty();
+      if (!found.problem.empty()) continue;
+      ASSERT_EQ(found.judged.size(), 1U) << row;
+      const std::string owner = found.judged.begin()->second;
+      EXPECT_TRUE(owners.insert(owner).second) << owner << " has two rows";
+      EXPECT_TRUE(found.id.empty() || found.id.find(ids[owner]) != found.id.npos)
+          << row << " with the ID " << found.id << " has work of " << owner;
+    }
+    std::string files;
+    for (const auto& entry : fs::recursive_directory_iterator(in()))
+      files += fs::relative(entry.path(), in()).string() + '\n';
+    EXPECT_TRUE(has_problem || owners.size() == learners.size()) << files;
+  }
+}
+
+// Forty learners, in exports of twelve platforms: every row has the name, the ID and the work that it should have.
+TEST_F(Intake, a_class_out_of_exports_of_twelve_platforms_is_right_in_every_row) {
+  const std::vector<Learner> learners{{"Ada", "11"}, {"ada", "12"}, {"Zo\xc3\xab", "13"}};
+  const std::vector<Learner> four{
+      {"Ada L", "11"}, {"Bob", "12"}, {"Zo\xc3\xab M", "13"}, {"Ad L", "1"}};
+  const std::vector<Before> others{
+      [](const Learner& by, int) {
+        return "course-hw1-" + by.name + "/student/1_rays/";
+      },                                                                    // GitHub
+      [](const Learner& by, int) { return by.name + "/Version 1/"; },       // Teams
+      [](const Learner& by, int) { return by.name + "_" + by.id + "/"; }};  // ILIAS
+  int rows = 0;
+  const auto judge = [&](const Before& before, const std::vector<Learner>& all, bool has_name,
+                         bool has_id) {
+    fs::remove_all(in());
+    int file = 0;
+    for (const Learner& by : all) add(before(by, ++file) + "hit_box.cpp", by.name + "/" + by.id);
+    const auto seen_rows = seen();
+    EXPECT_EQ(seen_rows.size(), all.size()) << before(all[0], 0);
+    for (const Learner& by : all) {
+      const auto is_row = [&](const auto& row) {
+        const Files judged{{"hit_box", by.name + "/" + by.id}};
+        const std::string& id = row.second.id;
+        return row.second.judged == judged && row.second.problem.empty() &&
+               (!has_name || row.first.starts_with(without_underscores(by.name))) &&
+               (!has_id || id == by.id || id == by.id + "-9" || id == "u" + by.id + "@x.org");
+      };
+      EXPECT_EQ(std::ranges::count_if(seen_rows, is_row), 1) << before(by, 0);
+      ++rows;
+    }
+  };
+  constexpr std::size_t kBlackboard = 4, kAutolab = 5, kPrairieLearn = 6;
+  for (std::size_t i = 0; i < kBefore.size(); ++i) {
+    const bool has_name = i != kBlackboard && i != kAutolab && i != kPrairieLearn;
+    judge(kBefore[i], i % 2 == 0 ? four : learners, has_name, i != kBlackboard);
+  }
+  for (const Before& before : others) judge(before, learners, false, false);
+  // Gradescope's list has the names.
+  std::string list;
+  fs::remove_all(in());
+  for (const Learner& by : learners) {
+    add("submission_" + by.id + "/hit_box.cpp", by.id);
+    list += fmt::format("submission_{0}:\n  :submitters:\n  - :name: {1}\n    :sid: {0}\n", by.id,
+                        by.name);
+  }
+  add(kGradescopeList, list);
+  for (const auto& [name, row] : seen()) {
+    EXPECT_EQ(row.judged, (Files{{"hit_box", row.id}})) << name << row.problem;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 40);
 }
 
 // A name as a learner's computer writes it and as a platform does.

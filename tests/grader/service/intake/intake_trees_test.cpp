@@ -305,7 +305,7 @@ TEST_F(Intake, progress_counts_submissions) {
   const auto told = [&](const fs::path& input) {
     Told all;
     handed_in(input, folder_.path() + "/work", kTasks,
-              {[](const std::string&, const std::string&, Extent) { return "not now"; }},
+              {[](const std::string&, const std::string&, Extent) { return "not now"; }}, forms_,
               [&](std::size_t done, std::size_t of) { all.emplace_back(done, of); });
     return all;
   };
@@ -328,7 +328,7 @@ TEST_F(Intake, faults_of_the_machine_are_nobodys) {
   const auto full = [](const std::string&, const std::string&, Extent) -> std::string {
     throw pt::Error("the disk is full");
   };
-  EXPECT_THAT([&] { handed_in(in(), folder_.path() + "/work", kTasks, {full}); },
+  EXPECT_THAT([&] { handed_in(in(), folder_.path() + "/work", kTasks, {full}, forms_); },
               testing::ThrowsMessage<pt::Error>("the disk is full"));
 }
 

@@ -54,6 +54,20 @@ TEST(Worksheet, is_filled_in_and_stays_the_same_elsewhere) {
   }
 }
 
+TEST(Worksheet, has_the_times_of_submissions) {
+  const Worksheet sheet(
+      "Identifier,Full name,Group,Grade,Maximum Grade,Grade can be changed,Last modified "
+      "(submission)\n"
+      "Participant 7,Ada,,,20,Yes,\"Friday, 15 January 2027, 10:05 PM\"\n"
+      "Participant 8,Bob,Team,,20,Yes,one\nParticipant 9,Cy,Team,,20,Yes,two\n",
+      "sheet.csv");
+  const auto times = sheet.modified({{"Ada", "7", false, 0, ""}, {"Team", "55", false, 0, ""}});
+  EXPECT_THAT(times.at("Ada"), ElementsAre("Friday, 15 January 2027, 10:05 PM"));
+  EXPECT_THAT(times.at("Team"), ElementsAre("one", "two"));
+  EXPECT_TRUE(
+      Worksheet("Identifier,Grade,Maximum Grade,Grade can be changed\n", "s").modified({}).empty());
+}
+
 TEST(Worksheet, a_spreadsheet_may_have_saved_it) {
   EXPECT_EQ(filled("Identifier;Grade;Maximum Grade;Grade can be changed\nParticipant 7;;20,00;Yes"),
             "Identifier;Grade;Maximum Grade;Grade can be changed\nParticipant 7;20;20,00;Yes");

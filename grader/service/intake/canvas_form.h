@@ -6,7 +6,8 @@
 #include <optional>
 #include <string>
 
-// The form that each platform gives to the names of the files in its exports.
+// The form that Canvas gives to the names of the files in its exports. Of all platforms it is the only one whose form needs more than a
+// line of grader/name_forms.csv: a name can be read in two ways, and the numbers of the other names tell which is right.
 
 namespace grader::intake {
 
@@ -26,21 +27,6 @@ struct Numbers {
 // compare with, that of a file is larger than an ID, as Canvas has more files than users.
 Found canvas_among(const std::string& name, const Numbers& certain);
 Found canvas(const std::string& name);
-
-// Moodle (mod/assign/classes/downloader.php): NAME_NUMBER_assignsubmission_file[_FILE]. Moodle
-// writes a blank for `_` in a name. The number is the participant's, or that of a group; learners
-// without a group have none.
-Found moodle(const std::string& name);
-
-// D2L: "12-34 - Ada Lovelace - Jan 15, 2027 1005 PM[ - FILE]".
-Found d2l(const std::string& name);
-
-// Blackboard: ASSIGNMENT_USER_attempt_2027-01-15-22-05-00_FILE, or .txt for what was typed. Both
-// names may contain `_`. The label's name is both.
-Found blackboard(const std::string& name);
-
-// Autolab: ada@school.edu_3_FILE, with the number of the attempt.
-Found autolab(const std::string& name);
 
 // The value of digits as in Label::order.
 double number(const std::string& digits);
