@@ -52,7 +52,7 @@ void keep_worker(const ToolFolder& place, const std::string& path) {
     throw pt::Error("the linked worker is not there: " + worker.rejected);
   }
   const std::string temporary = pt::temporary_name(path);
-  pt::write_file(temporary, worker.text);
+  keep(temporary, worker.text);
   // Another user runs the program.
   fs::permissions(temporary, fs::perms(0755));
   fs::rename(temporary, path);
@@ -111,9 +111,9 @@ Builder::Builder(const Config& config, sandbox::Tier tier, int seconds)
       tier_(tier),
       seconds_(seconds),
       cache_(config.work + "/cache"),
+      running_(cache_),
       headers_(public_headers(config.root)),
       precompiled_(config, headers_) {
-  fs::create_directories(cache_);
   // Objects from a weaker tier, or from another judge's audit, are not used.
   std::string tools = base::stamp(config.compiler) +
                       content_stamp(fs::read_symlink("/proc/self/exe"), cache_) +
@@ -254,7 +254,7 @@ Built Builder::compile_file(const TaskConfig& task, const Task& rules, const std
   const std::string reason = audit(object.text);
   if (!reason.empty()) return {"", key, "", reason, ""};
   if (!warnings.empty()) pt::write_file(warnings_path, warnings);
-  pt::write_file(path, audit::with_state_marked(object.text));
+  keep(path, audit::with_state_marked(object.text));
   return {path, key, "", "", warnings};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/service/build/cache.h"
 #include "grader/service/build/config.h"
 #include "grader/service/build/headers.h"
 #include "grader/service/build/precompiled.h"
@@ -77,6 +78,7 @@ class Builder {
   sandbox::Tier tier_;
   int seconds_;
   std::string cache_;      // the folder
+  Running running_;        // in it
   std::string toolchain_;  // a hash of the compiler and the flags
   std::string framework_;  // a hash of the framework's objects
   Headers headers_;

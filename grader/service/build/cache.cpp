@@ -20,6 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using FileClock = fs::file_time_type::clock;
 
+constexpr const char* kRunning = "running.";
+
 struct Entry {
   std::vector<fs::path> files;
   std::uintmax_t bytes = 0;
@@ -49,6 +51,22 @@ void remove_quietly(const fs::path& path) {
   fs::remove_all(path, ignored);
 }
 
+// The file `trimmed` has the time of the last look.
+std::string last_look(const std::string& folder) { return folder + "/trimmed"; }
+
+// Since when entries may be in use.
+fs::file_time_type in_use_since(const std::string& folder) {
+  fs::file_time_type since = FileClock::now() - kJustUsed;
+  std::error_code error;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
+    if (!file.path().filename().string().starts_with(kRunning)) continue;
+    const pid_t maker = maker_of(file.path());
+    const fs::file_time_type begun = file.last_write_time(error);
+    if (!error && maker != 0 && is_running(maker)) since = std::min(since, begun);
+  }
+  return since;
+}
+
 // The entries of the folder.
 std::vector<Entry> entries_of(const std::string& folder) {
   std::map<std::string, Entry> entries;
@@ -72,6 +90,19 @@ std::vector<Entry> entries_of(const std::string& folder) {
 }
 
 }  // namespace
+
+Running::Running(const std::string& folder) {
+  fs::create_directories(folder);
+  path_ = pt::temporary_name(folder + "/" + kRunning + "judge");
+  pt::write_file(path_, "");
+}
+
+Running::~Running() { remove_quietly(path_); }
+
+void keep(const std::string& path, const std::string& bytes) {
+  pt::write_file(path, bytes);
+  if (bytes.size() > kLarge) remove_quietly(last_look(fs::path(path).parent_path()));
+}
 
 std::string content_stamp(const std::string& path, const std::string& folder) {
   static std::mutex mutex;
@@ -118,22 +149,21 @@ void remove_left_overs(const std::string& folder) {
 }
 
 void trim_cache(const std::string& folder, std::uintmax_t most) {
-  const fs::file_time_type in_use_since = FileClock::now() - kInUse;
+  const fs::file_time_type since = in_use_since(folder);
   std::vector<Entry> entries = entries_of(folder);
   std::uintmax_t total = 0;
   for (const Entry& entry : entries) total += entry.bytes;
   if (total <= most) return;
   std::ranges::sort(entries, {}, &Entry::used);
   for (const Entry& entry : entries) {
-    if (total < most / 2 || entry.used >= in_use_since) return;
+    if (total < most / 2 || entry.used >= since) return;
     for (const fs::path& path : entry.files) remove_quietly(path);
     total -= entry.bytes;
   }
 }
 
-// The file `trimmed` has the time of the last look.
 void trim_cache_now_and_then(const std::string& folder, std::uintmax_t most) {
-  const std::string looked = folder + "/trimmed";
+  const std::string looked = last_look(folder);
   std::error_code error;
   const fs::file_time_type last = fs::last_write_time(looked, error);
   if (!error && FileClock::now() - last < kTrimPause) return;

@@ -9,13 +9,32 @@
 namespace grader::build {
 
 // A cache larger than this is trimmed to less than half of it when a judge starts, at most once per
-// kTrimPause: looking at all files takes as long as a small task's promises.
-inline constexpr std::uintmax_t kMaxCached = std::uintmax_t{1} << 30;
-inline constexpr std::chrono::minutes kTrimPause{10};
+// kTrimPause: looking at all files takes as long as a small task's promises. A file larger than kLarge ends the pause.
+inline constexpr std::uintmax_t kMaxCached = std::uintmax_t{1} << 30,
+                                kLarge = std::uintmax_t{4} << 20;
+inline constexpr std::chrono::minutes kTrimPause{1};
 
-// An entry that was used within this time is not removed, because another judge may still need it. It
-// is longer than any run.
+// An entry that was used since a judge began that still runs is not removed, because that judge may need it, nor one that was used
+// within this time: what a judge leaves is read by the program that called it.
+inline constexpr std::chrono::minutes kJustUsed{1};
+
+// A folder that was used within this time is not removed. It is longer than any run.
 inline constexpr std::chrono::hours kInUse{1};
+
+// As long as it lives, other processes see that a judge uses the folder, and since when.
+class Running {
+ public:
+  explicit Running(const std::string& folder);
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running();
+
+ private:
+  std::string path_;
+};
+
+// Writes a file of the cache.
+void keep(const std::string& path, const std::string& bytes);
 
 // Marks an entry's file as used now. Does nothing if the file is not there.
 void mark_used(const std::string& path);
@@ -34,7 +53,7 @@ void remove_unused_beside(const std::string& folder);
 void remove_left_overs(const std::string& folder);
 
 // If the folder holds more than `most` bytes, removes the entries least recently used, until it
-// holds less than half. Entries used within kInUse stay.
+// holds less than half. So it holds at most what the judges that run have used, and `most` bytes.
 void trim_cache(const std::string& folder, std::uintmax_t most = kMaxCached);
 
 // Calls trim_cache, unless the cache was checked within kTrimPause.

@@ -186,6 +186,7 @@ results::Results make_reports(const Judging& judging, const intake::HandedIn& by
                               const std::optional<results::Results>& equal) {
   const std::string path = judging.out + "/" + by.name;
   std::optional<results::Results> known = equal;
+  if (known && !has_its_pictures(*known)) known.reset();
   if (!known) known = counted_anew(judging, path, key);
   const auto former = judging.former_names.find(by.name);
   if (!known && former != judging.former_names.end()) {

@@ -87,12 +87,47 @@ TEST_F(Cache, what_is_used_is_not_forgotten) {
   EXPECT_EQ(names(), (Names{"a.o"}));
 }
 
-TEST_F(Cache, another_judge_finds_what_it_used_within_the_hour) {
-  add("a.o", 900, minutes(59));
-  add("b.o", 900, minutes(1));
-  add("c.o", 10, minutes(61));
+std::string running(pid_t process) { return "running.judge." + std::to_string(process) + ".1.tmp"; }
+
+// The number of a process that has ended.
+std::string dead_process() {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  return std::to_string(child);
+}
+
+TEST_F(Cache, another_judge_finds_what_it_used_since_it_began) {
+  add("a.o", 900, minutes(20));
+  add("b.o", 900, minutes(9));
+  add("c.o", 10, minutes(31));
+  add(running(getpid()), 0, minutes(25));
+  add(running(std::stoi(dead_process())), 0, minutes(40));
   build::trim_cache(folder(), 1000);
-  EXPECT_EQ(names(), (Names{"a.o", "b.o"}));
+  EXPECT_FALSE(names().contains("c.o"));
+  EXPECT_TRUE(names().contains("a.o") && names().contains("b.o"));
+  age(running(getpid()), minutes(10));
+  build::trim_cache(folder(), 1000);
+  EXPECT_FALSE(names().contains("a.o"));
+  EXPECT_TRUE(names().contains("b.o"));
+}
+
+// A class that fills it within the hour has no more than this.
+TEST_F(Cache, what_judges_that_have_ended_used_is_bounded_at_once) {
+  for (int i = 0; i < 40; ++i) {
+    const build::Running judge(folder());
+    add(std::to_string(i) + ".o", 400, build::kJustUsed + minutes(41 - i));
+    build::trim_cache(folder(), 1000);
+    EXPECT_LE(names().size(), 3U);
+  }
+}
+
+TEST_F(Cache, is_looked_at_again_after_a_large_file) {
+  build::trim_cache_now_and_then(folder(), 1000);
+  build::keep(path("a.o"), std::string(1000, 'x'));
+  EXPECT_TRUE(names().contains("trimmed"));
+  build::keep(path("b.o"), std::string(build::kLarge + 1, 'x'));
+  EXPECT_FALSE(names().contains("trimmed"));
 }
 
 TEST_F(Cache, is_looked_at_now_and_then) {
@@ -108,14 +143,6 @@ TEST_F(Cache, is_looked_at_now_and_then) {
   age("trimmed", build::kTrimPause + minutes(1));
   EXPECT_TRUE(finds_and_trims());
   EXPECT_FALSE(finds_and_trims()) << "the pause begins again";
-}
-
-// The number of a process that has ended.
-std::string dead_process() {
-  const pid_t child = fork();
-  if (child == 0) _exit(0);
-  waitpid(child, nullptr, 0);
-  return std::to_string(child);
 }
 
 TEST_F(Cache, what_dead_runs_left_goes_at_once) {
