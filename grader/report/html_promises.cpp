@@ -41,10 +41,10 @@ results::State state_of(const results::TaskResult& task, const results::PromiseR
                                                          : results::State::fail;
 }
 
-std::string why_no_failures(const results::TaskResult& task, results::State promise) {
-  if (!task.reason.empty()) return task.reason;
-  return promise == results::State::not_judged ? "It is not judged yet."
-                                               : "There is no input to show.";
+// Nothing can be said of a promise that the lines above it do not say: the task's reason, or that these promises are not judged yet.
+bool is_plain(const results::TaskResult& task, const results::PromiseResult& promise,
+              results::State state) {
+  return promise.failures.empty() && (!task.reason.empty() || state == results::State::not_judged);
 }
 
 // One input is in sight; the others are folded. The commands of a task are the same for each of its failures, so only the
@@ -79,8 +79,9 @@ data promise_data(const results::TaskResult& task, const results::PromiseResult&
   out.set("promise_open", leads);
   out.set("failures", failures_data(task, promise, leads));
   out.set("has_inputs_folded", promise.failures.size() > 1);
+  out.set("is_plain", is_plain(task, promise, state));
   out.set("no_failures",
-          promise.failures.empty() ? data(why_no_failures(task, state)) : data(false));
+          promise.failures.empty() ? data("There is no input to show.") : data(false));
   return out;
 }
 

@@ -155,6 +155,22 @@ TEST_F(Page, leads_with_no_promise_if_none_failed_at_an_input) {
   EXPECT_THAT(seen, Not(HasSubstr("returns the interpolated normal")));
 }
 
+// The reason stands once, and not with each promise.
+TEST_F(Page, says_once_why_a_task_is_not_judged) {
+  results::Results results = run;
+  results.tasks = {run.tasks[1]};
+  for (results::PromiseResult& promise : results.tasks[0].promises) {
+    promise.held = false;
+    promise.failures.clear();
+  }
+  results.tasks[0].state = results::State::not_attempted;
+  results.tasks[0].reason = "there is no hit_triangle.cpp";
+  const std::string text = to_html(results);
+  EXPECT_EQ(count(text, "there is no hit_triangle.cpp"), 1);
+  EXPECT_EQ(count(text, "<p class=\"promise"), static_cast<int>(results.tasks[0].promises.size()));
+  EXPECT_EQ(count(text, "<details class=\"promise"), 0);
+}
+
 TEST_F(Page, shows_one_wrong_picture_and_folds_the_rest) {
   results::Results results = run;
   results.tasks = {run.tasks[6]};
@@ -367,7 +383,7 @@ TEST_F(Page, what_is_not_judged_is_named_so) {
   EXPECT_THAT(text, HasSubstr("<h1>1 of 9 tasks pass, 3 not judged yet</h1>"));
   EXPECT_THAT(text, HasSubstr("title=\"penumbra: not judged\""));
   EXPECT_THAT(text, HasSubstr("title=\"two_lights: pass\""));
-  EXPECT_EQ(count(text, "It is not judged yet."), 4);  // two promises of two tasks
+  EXPECT_EQ(count(text, "<p class=\"promise quiet"), 4);  // two promises of two tasks
   EXPECT_EQ(count(text, "data-kind="), 1);
 }
 
