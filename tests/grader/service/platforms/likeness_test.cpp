@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -196,6 +197,27 @@ double area(const std::vector<double>& copies, const std::vector<double>& indepe
   return won / static_cast<double>(copies.size() * independent.size());
 }
 
+// With FIRSTLIGHT_COPIES, the name of a new folder, all files and a list of the pairs go there (bench/against_dolos.mjs).
+class Kept {
+ public:
+  void add(const std::string& kind, const std::string& stub, const std::string& a,
+           const std::string& b, double share) {
+    if (folder_ == nullptr) return;
+    const std::string path = std::string(folder_) + "/" + std::to_string(number_++);
+    std::filesystem::create_directories(path);
+    pt::write_file(path + "/a.cpp", a);
+    pt::write_file(path + "/b.cpp", b);
+    pt::write_file(path + "/stub.cpp", pt::read_file(stub));
+    list_ += kind + "\t" + path + "\t" + std::to_string(share) + "\n";
+    pt::write_file(std::string(folder_) + "/pairs.txt", list_);
+  }
+
+ private:
+  const char* folder_ = std::getenv("FIRSTLIGHT_COPIES");
+  int number_ = 0;
+  std::string list_;
+};
+
 TEST(Sketch, tells_copies_from_independent_work) {
   namespace fs = std::filesystem;
   const std::string root = FIRSTLIGHT_ROOT;
@@ -205,6 +227,7 @@ TEST(Sketch, tells_copies_from_independent_work) {
       {"and inert statements", with_inert_statements},
       {"and two pairs of lines swapped", with_lines_swapped},
       {"and loops rewritten", with_other_loops}};
+  Kept kept;
   std::vector<double> independent, related;
   std::vector<std::vector<double>> copies(edits.size());
   for (const auto& part : fs::directory_iterator(root + "/student")) {
@@ -223,10 +246,13 @@ TEST(Sketch, tells_copies_from_independent_work) {
         for (std::size_t k = 0; k < edits.size(); ++k) {
           const std::string copy = edits[k].second(renamed(texts[i]));
           copies[k].push_back(share_of(sketches[i], without(prints_of(copy), handed_out)));
+          kept.add(edits[k].first, stub.path(), texts[i], copy, copies[k].back());
         }
         for (std::size_t j = i + 1; j < texts.size(); ++j) {
           const bool is_related = common_lines(texts[i], texts[j]) > 0.5;
-          (is_related ? related : independent).push_back(share_of(sketches[i], sketches[j]));
+          const double share = share_of(sketches[i], sketches[j]);
+          (is_related ? related : independent).push_back(share);
+          if (!is_related) kept.add("independent", stub.path(), texts[i], texts[j], share);
         }
       }
     }
