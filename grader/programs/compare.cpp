@@ -2,6 +2,7 @@
 // do, 0 if not or if nobody knows, 2 for input that cannot be used.
 #include "pt/image/compare.h"
 
+#include "grader/pictures/statistics/flip.h"
 #include "grader/pictures/statistics/welch.h"
 #include "grader/report/side_by_side.h"
 #include "pt/command_line.h"
@@ -32,13 +33,14 @@ struct Options {
   bool same_numbers = false;   // both pictures come from the same random numbers
 };
 
-std::string described(const pt::Comparison& c) {
+std::string described(const pt::Comparison& c, double flip) {
   std::string text = fmt::format(
       "MSE      {:.6g}\n"
       "relMSE   {:.6g}   (mean of (A - B)^2 / (B + {:.3g})^2)\n"
+      "FLIP     {:.4g}   (what an eye sees of it on a screen, from 0 to 1: Andersson et al. 2020)\n"
       "mean A   {:.6g} {:.6g} {:.6g}\n"
       "mean B   {:.6g} {:.6g} {:.6g}\n",
-      c.mse, c.rel_mse, c.dark, c.mean_a.r, c.mean_a.g, c.mean_a.b, c.mean_b.r, c.mean_b.g,
+      c.mse, c.rel_mse, c.dark, flip, c.mean_a.r, c.mean_a.g, c.mean_a.b, c.mean_b.r, c.mean_b.g,
       c.mean_b.b);
   if (c.largest.a != c.largest.b) {
     text += fmt::format(
@@ -142,7 +144,9 @@ std::string described(const pictures::WelchTest& test) {
 
 int run(const Options& options) {
   const Side a = read(options.a), b = read(options.b);
-  std::string numbers = described(pt::compare(a.image, b.image)) + error_beside(a, b);
+  const pt::Comparison comparison = pt::compare(a.image, b.image);  // they have one size
+  std::string numbers =
+      described(comparison, pictures::flip(a.image, b.image)) + error_beside(a, b);
   std::string verdict;
   if (!options.same_numbers && a.noisy && b.noisy) {
     const pictures::WelchTest test = pictures::welch_test(*a.noisy, *b.noisy);

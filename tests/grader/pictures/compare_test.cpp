@@ -1,4 +1,5 @@
 // ./run compare A B, and the test by which it says whether two noisy pictures differ.
+#include "grader/pictures/statistics/flip.h"
 #include "grader/pictures/statistics/welch.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -173,12 +175,53 @@ TEST_F(Compare, says_how_far_and_in_which_direction) {
   pt::write_image(a, film);
   const Said said = compare(a + " " + b);
   EXPECT_EQ(said.status, 0);
-  EXPECT_EQ(said.text.substr(0, said.text.find("equal")),
+  std::string text = said.text.substr(0, said.text.find("equal"));
+  const std::size_t flip = text.find("FLIP     0.");
+  ASSERT_NE(flip, text.npos) << text;
+  text.erase(flip, text.find('\n', flip) + 1 - flip);
+  EXPECT_EQ(text,
             "MSE      0.0208333\n"
             "relMSE   0.0192616   (mean of (A - B)^2 / (B + 0.04)^2)\n"
             "mean A   1 0.875 1\n"
             "mean B   1 1 1\n"
             "largest  -0.5 at x 0, y 1 (from the top left), channel g: A 0.5, B 1\n");
+}
+
+Image flat(pt::Rgb color) {
+  Image image(9, 5);
+  for (pt::Rgb& pixel : image.pixels) pixel = color;
+  return image;
+}
+
+// Pictures of one colour have no edges and nothing to blur. Between black and white L differs by 100, which is 100^.7 = 25.12 of
+// the largest, 41.28; the first 40 % of that have 95 % of the range. Green and blue are furthest from each other.
+TEST(flip, of_one_color_beside_another_is_known) {
+  EXPECT_EQ(flip(flat(gray(.3)), flat(gray(.3))), 0);
+  const double most = 41.2760, part = std::pow(100, .7) / most;
+  EXPECT_NEAR(flip(flat({}), flat(gray(1))), .95 + .05 * (part - .4) / .6, 1e-5);
+  EXPECT_NEAR(flip(flat({0, 1, 0}), flat({0, 0, 1})), 1, 1e-9);
+  EXPECT_NEAR(flip(flat({0, 0, 1}), flat({0, 1, 0})), 1, 1e-9);
+  EXPECT_EQ(flip(flat(gray(std::nan(""))), flat({})), 0) << "what is not finite is black";
+}
+
+// The values of the program of its authors (NVlabs/flip 1.7), for the same light and 67.02 pixels a degree.
+TEST(flip, of_waves_and_of_points_is_that_of_its_authors) {
+  Image waves(54, 40), darker = waves;
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 54; ++x) {
+      waves.at(x, y) = gray(.5 * (1 + std::sin(x * .3) * std::cos(y * .2)));
+      darker.at(x, y) = waves.at(x, y) * .9;
+    }
+  }
+  EXPECT_NEAR(flip(waves, darker), .177869, 2e-5);
+  Image edges(61, 45), points = edges;
+  for (int y = 0; y < 45; ++y) {
+    for (int x = 0; x < 61; ++x) {
+      edges.at(x, y) = {x > 30 ? .8 : .2, .3, y > 22 ? .7 : .1};
+      points.at(x, y) = (x * 7 + y * 13) % 29 == 0 ? gray(1) : edges.at(x, y);
+    }
+  }
+  EXPECT_NEAR(flip(edges, points), .141717, 2e-5);
 }
 
 TEST_F(Compare, draws_blue_where_the_first_is_darker) {
