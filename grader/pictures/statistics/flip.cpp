@@ -84,7 +84,7 @@ Plane filtered(const Plane& plane, int width, const Plane& across, const Plane& 
   return sums(sums(plane, across, 1, 0), up, 0, 1);
 }
 
-// What the eye still sees of a plane, by a sum of a sqrt(pi / b) exp(-pi^2 x^2 / b) for {a, b}; x in degrees.
+// Returns a plane as the eye still sees it: blurred by a sum of a sqrt(pi / b) exp(-pi^2 x^2 / b) for {a, b}; x in degrees.
 Plane seen(const Plane& plane, int width, const std::vector<std::array<double, 2>>& terms) {
   const double reach = 3 * std::sqrt(.04 / 2) / kPi * kPixelsPerDegree;
   Plane sum(plane.size());
