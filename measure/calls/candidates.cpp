@@ -2,7 +2,6 @@
 
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
-#include "grader/base/printable.h"
 #include "grader/service/judging/alone.h"
 #include "measure/calls/tasks.h"
 #include "measure/renders/worker_config.h"
@@ -11,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -29,7 +29,6 @@ using grader::judging::Judged;
 namespace {
 
 constexpr int kCompileSeconds = 60;
-constexpr std::size_t kMaxName = 40;  // width of a column
 const char* const kFast = "fast";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -155,20 +154,15 @@ class Workshop {
   const Builder plain_, counted_;
 };
 
-std::string own_folder(const Options& options, const std::string& slug) {
+// The code that is named for this task, or else the code for all tasks.
+std::vector<Own> own_of(const Options& options, const std::string& slug) {
+  std::vector<Own> found;
   for (const std::string& key : {slug, std::string()}) {
-    const auto found = options.own.find(key);
-    if (found != options.own.end()) return found->second;
+    std::ranges::copy_if(options.own, std::back_inserter(found),
+                         [&](const Own& own) { return own.slug == key; });
+    if (!found.empty()) break;
   }
-  return "";
-}
-
-// "first_child_that_hits" for the object hit_bvh.first_child_that_hits.o.
-std::string name_of(const std::string& folder) {
-  const fs::path path = fs::path(folder).lexically_normal();
-  std::string name = (path.has_filename() ? path : path.parent_path()).filename();
-  if (path.extension() == ".o") name = path.stem().extension().string().substr(1);
-  return grader::base::printable(name, kMaxName);
+  return found;
 }
 
 std::vector<Contest> contests_of(const Materials& materials, const Options& options) {
@@ -176,13 +170,13 @@ std::vector<Contest> contests_of(const Materials& materials, const Options& opti
   std::vector<Contest> contests;
   for (const About& about : tasks()) {
     if (!asked.contains(about.slug)) continue;
-    Contest contest{&about, {{"reference", false, "", "", ""}}};
+    Contest contest{&about, {{"reference", "", "", "", ""}}};
     for (const std::string& name : asked.at(about.slug)) {
-      contest.candidates.push_back({name, false, "", "", ""});
+      contest.candidates.push_back({name, "", "", "", ""});
     }
-    const std::string folder = own_folder(options, about.slug);
-    const std::string& named = options.submission.empty() ? folder : options.submission;
-    if (!folder.empty()) contest.candidates.push_back({name_of(named), true, "", "", ""});
+    for (const Own& own : own_of(options, about.slug)) {
+      contest.candidates.push_back({own.name, own.folder, "", "", ""});
+    }
     contests.push_back(contest);
   }
   return contests;
@@ -211,7 +205,7 @@ std::vector<Contest> find_contests(const Materials& materials, const Options& op
     const About& about = *contest.about;
     const TaskConfig& task = config_of(materials.config, about.slug);
     const Judged judged = [&] {
-      if (candidate.is_own) return workshop.own(task, own_folder(options, about.slug));
+      if (candidate.is_own()) return workshop.own(task, candidate.own);
       if (&candidate == contest.candidates.data()) return workshop.compiled(task, task.reference);
       if (candidate.name == kFast) return workshop.compiled(task, materials.fast.at(about.slug));
       return workshop.right(task, candidate.name);

@@ -13,11 +13,13 @@ namespace measure::calls {
 
 // An implementation of a task, with its workers, whose other tasks are the reference's.
 struct Candidate {
-  std::string name;     // "reference", "half_b", or the name of its folder
-  bool is_own = false;  // a user's own code; all others are known to be right
+  std::string name;     // "reference", "half_b", or the label of a submission
+  std::string own;      // the folder of a user's own code; all others are known to be right
   std::string problem;  // why it cannot be measured, one sentence; else empty
   std::string plain;    // a program, for measuring time
   std::string counted;  // a program that counts boxes; empty: no boxes are tested
+
+  bool is_own() const { return !own.empty(); }
 };
 
 // A task and its candidates, the reference first.

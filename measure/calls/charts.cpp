@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +18,7 @@ namespace {
 const char* const kChart = R"gp($points << END
 {}END
 set logscale xy
+set title "{}" noenhanced
 set xlabel "{}"
 set ylabel "{}"
 set xrange [{:.6g}:{:.6g}]
@@ -29,7 +31,7 @@ plot {}
 // A candidate: one point, or one point per table.
 struct ChartLine {
   std::string name, title;
-  bool is_own = false;
+  std::optional<std::size_t> own;  // the number among a user's own codes
   std::vector<std::array<double, 2>> points;
 };
 
@@ -57,10 +59,13 @@ std::string title_of(const std::string& name) {
 // A candidate without a finite error is only in the table.
 std::vector<ChartLine> curves(const About& about, const std::vector<Table>& tables) {
   std::vector<ChartLine> all;
+  std::size_t own = 0;
   for (std::size_t i = 0; i < tables[0].rows.size(); ++i) {
     const Row& first = tables[0].rows[i];
+    const std::optional<std::size_t> number =
+        first.is_own ? std::optional(own++) : std::optional<std::size_t>();
     if (!first.problem.empty()) continue;
-    ChartLine curve{first.name, title_of(first.name), first.is_own, {}};
+    ChartLine curve{first.name, title_of(first.name), number, {}};
     bool is_wrong = false, is_finite = true;
     for (const Table& table : tables) {
       const Row& row = table.rows[i];
@@ -138,11 +143,14 @@ std::vector<double> ticks(const Span& span) {
   return all;
 }
 
-// The reference and a user's code are large.
+// The reference and a user's codes are large.
 std::string style(const ChartLine& curve, std::size_t number, bool lines,
                   const std::string& color) {
   const char* const how = lines ? "linespoints" : "points";
-  if (curve.is_own) return fmt::format("with {} lc rgb \"{}\" lw 2 pt 5 ps 1.4", how, ink::kOrange);
+  if (curve.own) {
+    const OwnInk own = own_ink(*curve.own);
+    return fmt::format("with {} lc rgb \"{}\" lw 2 pt {} ps 1.4", how, own.color, own.mark);
+  }
   if (number == 0) return fmt::format("with {} lc rgb \"{}\" lw 2 pt 7 ps 1.4", how, ink::kBlack);
   static const int kPoints[] = {4, 6, 8, 10, 12, 1, 2, 3};
   return fmt::format("with {} lc rgb \"{}\" lw 1.5 pt {} ps 1", how, color, kPoints[number % 8]);
@@ -179,10 +187,15 @@ void draw_one(const About& about, const std::vector<Table>& tables,
                                   ? "set format y \"10^{%L}\""
                                   : fmt::format("set ytics ({:g})", fmt::join(ticks(y), ","));
   const std::string x_ticks = fmt::format("set xtics ({:g})", fmt::join(ticks(x), ","));
+  const std::string machine = processor();
+  const std::string title =
+      about.slug + (tables.size() > 1 || tables[0].name.empty() ? "" : ", " + tables[0].name);
   draw(folder, name,
-       fmt::format(fmt::runtime(kChart), data,
+       fmt::format(fmt::runtime(kChart), data, title + (machine.empty() ? "" : "\\n" + machine),
                    fmt::format("{} of processor time per call", unit.name), meaning(about), x.low,
-                   x.high, y.low, y.high, x_ticks + '\n' + y_ticks, plot));
+                   x.high, y.low, y.high, x_ticks + '\n' + y_ticks, plot),
+       fmt::format("{}: {} beside the processor time of a call on {}. {}", title, meaning(about),
+                   machine.empty() ? "one processor" : machine, about.inputs));
 }
 
 }  // namespace

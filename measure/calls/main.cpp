@@ -7,6 +7,7 @@
 #include "grader/service/sandbox/probe.h"
 #include "measure/calls/measuring.h"
 #include "measure/calls/print.h"
+#include "measure/charts/labels.h"
 #include "measure/renders/worker_config.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <deque>
 #include <optional>
 
 #include <fmt/format.h>
@@ -56,10 +58,11 @@ std::vector<Contest> compiled(const Materials& materials, const Options& options
 int run(int argc, const char* const* argv) {
   const grader::build::Config config = worker_config(kConfig);
   Options options = parse_options(argc, argv, config.root);
-  std::optional<grader::intake::TakenIn> taken;
-  if (!options.submission.empty()) {
-    taken.emplace(config, options.submission);
-    options.own[""] = taken->folder();
+  std::deque<grader::intake::TakenIn> taken;
+  const std::vector<std::string> labels = labels_of(options.submissions);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    taken.emplace_back(config, options.submissions[i]);
+    options.own.push_back({"", taken.back().folder(), labels[i]});
   }
   const Materials materials = materials_for(config, options);
   if (!options.out.empty()) std::filesystem::create_directories(options.out);

@@ -87,7 +87,7 @@ class Measuring {
       for (std::size_t i = 0; i < about_.cases.size(); ++i) {
         Runner runner;
         runner.row.name = candidate.name;
-        runner.row.is_own = candidate.is_own;
+        runner.row.is_own = candidate.is_own();
         runner.row.problem = candidate.problem;
         runner.request.task = index_of(about_);
         runner.request.of_cases = static_cast<std::uint32_t>(i);

@@ -1,5 +1,6 @@
 #include "measure/calls/options.h"
 
+#include "measure/charts/labels.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 
@@ -20,7 +21,8 @@ const char* kFooter =
     "  ./run measure --list\n"
     "  ./run measure hit_sphere --from student\n"
     "  ./run measure hit_sphere.half_b hit_sphere.textbook\n"
-    "  ./run measure 3 --submission DIR --out charts\n";
+    "  ./run measure 3 --submission DIR --out charts\n"
+    "  ./run measure hit_bvh --submission anna --submission ben\n";
 
 // A mistake of the task: its folder in the whole project, its object in a handout.
 fs::path mistake_named(const fs::path& root, const std::string& slug, const std::string& name) {
@@ -46,7 +48,7 @@ void add_from(const std::string& word, const fs::path& root, Options& options) {
         std::string(is_handout ? "reference-objects/mistakes" : "build/mistakes") +
         " has their names), not '" + word + "'; another folder is measured with --submission");
   }
-  if (name != "reference") options.own[slug] = from.string();
+  if (name != "reference") options.own.push_back({slug, from.string(), labels_of({from})[0]});
 }
 
 }  // namespace
@@ -54,7 +56,6 @@ void add_from(const std::string& word, const fs::path& root, Options& options) {
 Options parse_options(int argc, const char* const* argv, const fs::path& root) {
   Options options;
   std::vector<std::string> from;
-  std::string& submission = options.submission;
   std::string out;
   CLI::App app("Measures tasks: how long a call takes, and its error or its noise.",
                "./run measure");
@@ -65,10 +66,11 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
       "default: all");
   app.add_option("--from", from,
                  "Also your own code: student, or hit_sphere=student; or a mistake: hit_bvh=NAME")
-      ->expected(1)
       ->allow_extra_args(false);
-  app.add_option("--submission", submission,
-                 "Also somebody's: a folder, an archive, or a clone of CS184's skeleton")
+  app.add_option(
+         "--submission", options.submissions,
+         "Also somebody's: a folder, an archive, or a clone of CS184's skeleton; up to four")
+      ->allow_extra_args(false)
       ->check(CLI::ExistingPath);
   app.add_option(
          "--seconds", options.seconds,
@@ -79,12 +81,12 @@ Options parse_options(int argc, const char* const* argv, const fs::path& root) {
   app.add_option("--isolation", options.isolation, "A, B or C, as ./run grade has it");
   pt::parse(app, argc, argv);
   options.out = out;
-  if (!submission.empty() && !from.empty()) {
+  if (!options.submissions.empty() && !from.empty()) {
     throw pt::Error("--from and --submission are two ways to name one thing: leave one out");
   }
   for (const std::string& word : from) add_from(word, root, options);
   // The learners' edition has no right solutions, so its default is the learner's own code.
-  if (from.empty() && submission.empty() && !fs::exists(root / "reference"))
+  if (from.empty() && options.submissions.empty() && !fs::exists(root / "reference"))
     add_from("student", root, options);
   return options;
 }

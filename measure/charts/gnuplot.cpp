@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,12 +67,53 @@ std::string for_paper(const std::string& commands) {
   return text;
 }
 
+// Each text of `signs` is replaced by the one beside it.
+using Signs = std::vector<std::pair<std::string, std::string>>;
+std::string with_signs(const std::string& text, const Signs& signs) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto found = std::ranges::find_if(signs, [&](const auto& sign) {
+      return text.compare(at, sign.first.size(), sign.first) == 0;
+    });
+    out += found == signs.end() ? std::string(1, text[at]) : found->second;
+    at += found == signs.end() ? 1 : found->first.size();
+  }
+  return out;
+}
+
+std::string as_latex(const std::string& text) {
+  static const Signs signs{{"\\", "\\textbackslash{}"},
+                           {"{", "\\{"},
+                           {"}", "\\}"},
+                           {"$", "\\$"},
+                           {"&", "\\&"},
+                           {"#", "\\#"},
+                           {"%", "\\%"},
+                           {"_", "\\_"},
+                           {"^2", "$^2$"},
+                           {"^", "\\^{}"},
+                           {"~", "\\~{}"},
+                           {"\u00d7", "$\\times$"},
+                           {"\u00b1", "$\\pm$"},
+                           {"\u00b2", "$^2$"},
+                           {"<", "$<$"},
+                           {">", "$>$"},
+                           {"\u03c3", "$\\sigma$"},
+                           {"\u03a3", "$\\Sigma$"},
+                           {"\u00b7", "$\\cdot$"}};
+  return with_signs(text, signs);
+}
+
 // gnuplot's own titles name its commands, and its texts under the pointer need a script.
-std::string for_pages(std::string svg) {
+std::string for_pages(std::string svg, const std::string& caption) {
   static const std::regex own("<title>[^<]*</title>|<desc>[^<]*</desc>");
   static const std::regex scripted(
       R"re(onmousemove="gnuplot_svg.showHypertext\(evt,'([^"]*)'\)" onmouseout="[^"]*">)re");
-  return std::regex_replace(std::regex_replace(svg, own, ""), scripted, "><title>$1</title>");
+  svg = std::regex_replace(std::regex_replace(svg, own, ""), scripted, "><title>$1</title>");
+  const std::size_t head = svg.find('>', svg.find("<svg"));
+  if (caption.empty() || head == svg.npos) return svg;
+  const std::string text = with_signs(caption, {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}});
+  return svg.insert(head + 1, "\n<desc>" + text + "</desc>");
 }
 
 }  // namespace
@@ -125,23 +167,54 @@ std::string names_beside(std::vector<NamedEnd> ends, double low, double high) {
   return text;
 }
 
+OwnInk own_ink(std::size_t i) {
+  constexpr OwnInk kInks[] = {
+      {ink::kOrange, 5}, {ink::kPink, 9}, {ink::kSky, 11}, {ink::kGreen, 13}};
+  return kInks[i % std::size(kInks)];
+}
+
+std::string latex_figure(const std::vector<std::string>& pictures, const std::string& caption) {
+  std::string text =
+      "% For \\input, with \\usepackage{graphicx}. Where this file lies in another folder: "
+      "\\graphicspath{{folder/}}\n\\begin{figure}\n  \\centering\n";
+  // Three beside each other can still be seen.
+  const double width = .99 / static_cast<double>(std::clamp<std::size_t>(pictures.size(), 1, 3));
+  for (const std::string& picture : pictures) {
+    text += fmt::format("  \\includegraphics[width={:.2f}\\linewidth]{{{}}}\n", width, picture);
+  }
+  return text + fmt::format("  \\caption{{{}}}\n\\end{{figure}}\n", as_latex(caption));
+}
+
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
+    if (!line.starts_with("model name")) continue;
+    const std::string model = line.substr(line.find(": ") + 2);
+    return model.substr(0, model.find(" @"));
   }
   return "";
 }
 
-void draw(const fs::path& folder, const std::string& name, const std::string& commands) {
+std::string processor_seconds() {
+  const std::string model = processor();
+  return "processor seconds" + (model.empty() ? "" : "\\n{/*0.8 " + model + "}");
+}
+
+void draw(const fs::path& folder, const std::string& name, const std::string& commands,
+          const std::string& caption) {
   const std::string output = "set output \"" + name + ".svg\"\n", svg = kStyle + output + commands;
   const fs::path made = folder / (name + ".svg"), paper = folder / (name + ".pdf");
   if (!run_gnuplot(folder, name, svg)) {
     fs::remove(made);  // gnuplot leaves an empty one
   } else if (fs::exists(made)) {
-    pt::write_file(made, for_pages(pt::read_file(made, kMaxChart)));
+    pt::write_file(made, for_pages(pt::read_file(made, kMaxChart), caption));
   }
-  if (fs::exists(made) && !run_gnuplot(folder, name, for_paper(svg))) fs::remove(paper);
+  if (!fs::exists(made)) return;
+  if (!run_gnuplot(folder, name, for_paper(svg))) {
+    fs::remove(paper);
+  } else if (!caption.empty()) {
+    pt::write_file(folder / (name + ".tex"), latex_figure({paper.filename()}, caption));
+  }
 }
 
 }  // namespace measure

@@ -13,6 +13,9 @@
 #include "pt/render/choose_engine.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -33,7 +36,12 @@ constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 constexpr int kCompileSeconds = 60;
 constexpr std::chrono::hours kTotalLimit{5};
 
-std::set<std::string> does_not_compile;  // tasks of the submission whose worker is open
+struct Opened {
+  std::shared_ptr<wire::Session> session;
+  std::set<std::string> does_not_compile;  // tasks of the submission
+};
+std::map<std::string, Opened> opened;  // by worker
+const Opened* open_now = nullptr;
 
 std::string why_not(const Judged& judged) {
   const results::TaskResult& result = judged.result;
@@ -48,16 +56,17 @@ Boxed build_submission(const std::string& submission, const std::string& parts,
                        const std::vector<std::string>& only) {
   const build::Config config = recorded(worker_config(parts));
   GradeRequest request;
-  const intake::TakenIn taken(config, submission);
-  request.submission = taken.folder();
+  std::optional<intake::TakenIn> taken;
+  if (!submission.empty()) request.submission = taken.emplace(config, submission).folder();
   request.isolation = sandbox::probe_isolation(config.root, config.work);
   const build::Builder builder(config, request.isolation.tier, kCompileSeconds);
   std::vector<Judged> judged;
   for (const build::TaskConfig& task : config.tasks) {
+    if (submission.empty()) break;
     if (only.empty() || std::ranges::count(only, task.slug) > 0)
       judged.push_back(not_judged(config, task));
   }
-  compile_all(builder, request, judged);
+  if (!judged.empty()) compile_all(builder, request, judged);
   Boxed boxed;
   for (Judged& each : judged) {
     each.right_alone = each.object.ok();  // link_together() leaves out other tasks
@@ -97,8 +106,11 @@ void open_worker(const Boxed& boxed, std::chrono::milliseconds call_limit) {
   settings.total_limit = kTotalLimit;
   settings.max_timeouts = 1;
   settings.max_failures = 1;
-  wire::open_session(settings);
-  for (const auto& [task, reason] : boxed.unusable) does_not_compile.insert(task);
+  const auto [place, is_new] = opened.try_emplace(boxed.worker);
+  open_now = &place->second;
+  if (!is_new) return wire::use_session(place->second.session);
+  place->second.session = wire::open_session(settings);
+  for (const auto& [task, reason] : boxed.unusable) place->second.does_not_compile.insert(task);
 }
 
 // A call takes some milliseconds, as the scene goes with it.
@@ -128,7 +140,7 @@ void give_tracer(pt::Scene& scene, const pt::View& view, pt::Engine engine) {
 
 std::vector<std::string> unwritten_tasks() {
   std::set<std::string> tasks = wire::session().record().todo;
-  tasks.insert(does_not_compile.begin(), does_not_compile.end());
+  tasks.insert(open_now->does_not_compile.begin(), open_now->does_not_compile.end());
   return {tasks.begin(), tasks.end()};
 }
 

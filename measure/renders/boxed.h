@@ -24,7 +24,7 @@ struct SubmissionFailed : pt::Error {
   using pt::Error::Error;
 };
 
-// Throws pt::Error if a submission cannot be built. `parts` is the file with the other parts of the worker
+// Throws pt::Error if a submission cannot be built. "" is the reference, built like a submission. `parts` is the file with the other parts of the worker
 // (worker_config.h). With `only`, it has only these tasks of the submission, which have to compile.
 Boxed build_submission(const std::string& submission,
                        const std::string& parts = "writeup_boxed.json",
@@ -33,7 +33,7 @@ void write_boxed(const Boxed& boxed, const std::string& file);  // as JSON
 Boxed read_boxed(const std::string& file);
 
 // Opens the session of this program with the worker, which renders the rows from then on (rows.h). Its
-// calls throw SubmissionFailed.
+// calls throw SubmissionFailed. A worker that was opened before is still there, and goes on.
 void open_worker(const Boxed& boxed, std::chrono::milliseconds call_limit);
 
 }  // namespace measure

@@ -8,6 +8,8 @@
 #include "measure/scene/rung.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/image/image_io.h"
+#include "pt/math/rgb.h"
 #include "pt/render/darkness.h"
 #include "pt/render/options.h"
 
@@ -34,8 +36,40 @@ std::vector<std::string> unwritten_and_needed(pt::Engine engine) {
   return tasks;
 }
 
-// Right pictures by the reference, in a program of its own.
+// The luminances of the measured pixels in a picture of a file.
+std::vector<double> pixels_of(const std::string& file, const Options& options) {
+  if (!pt::is_exr(file)) {
+    throw pt::Error("--golden " + file + " is not an EXR: ./run render -f NAME.exr makes one");
+  }
+  const pt::Image image = pt::read_image(file);
+  if (image.width != options.width || image.height != options.height) {
+    throw pt::Error(fmt::format("--golden {} has {} x {} pixels: give -r {} {} too", file,
+                                image.width, image.height, image.width, image.height));
+  }
+  std::vector<double> all;
+  for (const PixelAt& at :
+       spread_pixels(options.width, options.height, options.pixels, options.seed)) {
+    // Files have the top row first.
+    const int row = image.height - 1 - at.y;
+    const pt::Rgb& pixel = image.pixels.at(static_cast<std::size_t>(row) * image.width + at.x);
+    if (!is_finite(pixel)) {
+      throw pt::Error(fmt::format(
+          "--golden {}: the pixel x {}, y {} from the top left is not finite", file, at.x, row));
+    }
+    all.push_back(luminance(pixel));
+  }
+  return all;
+}
+
+// Right pictures: of files, or by the reference in a program of its own.
 Reference reference_beside(const std::string& program, const Options& options) {
+  if (!options.goldens.empty()) {
+    std::vector<std::vector<double>> pictures;
+    for (const std::string& file : options.goldens) pictures.push_back(pixels_of(file, options));
+    return [pictures, next = std::size_t{0}](const pt::PathSettings&, int, std::uint64_t) mutable {
+      return pictures[next++ % pictures.size()];
+    };
+  }
   if (!options.reference) return {};
   std::vector<std::string> words{program,
                                  options.scene.string(),
@@ -103,6 +137,7 @@ void look_whether_reachable(const Options& options) {
   if (options.error >= kSurelyReached) return;
   Options quick = options;
   quick.reference = false;  // only the noise is looked at
+  quick.goldens.clear();
   quick.seconds = std::min(options.seconds, 1.0);
   quick.pixels = std::min(options.pixels, 300);
   quick.out.clear();
@@ -123,23 +158,30 @@ void run_cheapest(const Call& call) {
   if (!options.out.empty()) write_charts(answer, options, scene.loaded.scene);
 }
 
-void run_converge(const Call& call) {
+}  // namespace
+
+Converged run_converge(const Call& call) {
   const Options& options = call.options;
   pt::LoadedScene loaded = load_scene(options);
   const std::vector<Method> methods = methods_in(loaded.scene, options.bounces, options.engine);
   expect_method(methods, options.beside);
   Measuring scene(std::move(loaded), options, options.bounces, 1, call.program);
-  const std::vector<MethodCurve> curves = find_curves(scene.study, scene.view, methods);
+  std::vector<MethodCurve> curves = find_curves(scene.study, scene.view, methods);
   scene.clock.clear();
   fmt::print("{}", to_text(curves, options));
-  if (!options.out.empty()) write_curves(curves, options, scene.study.cpu_seconds());
+  const double cpu_seconds = scene.study.cpu_seconds();
+  if (!options.out.empty()) write_curves(curves, options, cpu_seconds);
+  return {std::move(curves), cpu_seconds};
 }
 
-}  // namespace
-
-int run_call(const Call& call) {
+int run_call(const Call& call, const std::vector<Subject>& several) {
   try {
-    call.command == Command::cheapest ? run_cheapest(call) : run_converge(call);
+    if (!several.empty()) return run_several(call, several);
+    if (call.command == Command::cheapest) {
+      run_cheapest(call);
+    } else {
+      run_converge(call);
+    }
   } catch (const WrongBesideReference& error) {
     fmt::print(stderr, "WRONG: {}\n", pt::sentence_of(error));
     return 1;

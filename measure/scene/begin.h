@@ -1,8 +1,13 @@
 #pragma once
 
+#include "measure/scene/converge.h"
 #include "measure/scene/options.h"
 #include "measure/scene/study.h"
 #include "pt/render/progress.h"
+
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace measure::scene {
 
@@ -24,8 +29,24 @@ struct Measuring {
   Study study;
 };
 
+// Code that can be measured one after the other: `open` makes it that which renders from then on.
+struct Subject {
+  std::string name;
+  std::function<void()> open;
+};
+
 // Runs the command: prints its results, and writes the files of --out. Returns the exit status: 1 if the code is so
-// wrong beside the reference that there is no answer.
-int run_call(const Call& call);
+// wrong beside the reference that there is no answer, or if one of `several` cannot be measured.
+int run_call(const Call& call, const std::vector<Subject>& several = {});
+
+// Measures each of the codes as `converge` does, and compares them. Returns the exit status.
+int run_several(const Call& call, const std::vector<Subject>& several);
+
+// Makes, prints and writes the curves of the code that renders now.
+struct Converged {
+  std::vector<MethodCurve> curves;
+  double cpu_seconds = 0;
+};
+Converged run_converge(const Call& call);
 
 }  // namespace measure::scene

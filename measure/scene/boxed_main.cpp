@@ -1,6 +1,7 @@
 // accuracy_boxed cheapest | converge SCENE --submission DIR: the same for a submission, without
-// running its code in this process. The exit status is 1 if the submission cannot be measured.
+// running its code in this process; or for several and the reference. The exit status is 1 if a submission cannot be measured.
 #include "grader/service/process/spawn.h"
+#include "measure/charts/labels.h"
 #include "measure/renders/boxed.h"
 #include "measure/renders/spec.h"
 #include "measure/scene/begin.h"
@@ -11,6 +12,9 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace measure::scene {
 
@@ -31,6 +35,30 @@ void open_boxed(const Boxed& boxed, pt::Engine engine) {
   open_worker(boxed, kCallLimit);
 }
 
+// It is built when it is opened for the first time.
+Subject built_once(const std::string& name, const std::string& submission, pt::Engine engine) {
+  return {name, [=, boxed = std::optional<Boxed>()]() mutable {
+            if (!boxed) boxed = build_submission(submission);
+            open_boxed(*boxed, engine);
+          }};
+}
+
+// Each submission that is named, as it was built or still to be built.
+std::vector<Subject> submissions_of(const Options& options) {
+  std::vector<Subject> all;
+  const std::vector<std::string> labels = labels_of(options.submissions);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    all.push_back(built_once(labels[i], options.submissions[i], options.engine));
+  }
+  for (std::size_t i = 0; i < options.built.size(); ++i) {
+    const std::string name = i < options.names.size() ? options.names[i] : "";
+    all.push_back({name, [engine = options.engine, file = options.built[i]] {
+                     open_boxed(read_boxed(file), engine);
+                   }});
+  }
+  return all;
+}
+
 }  // namespace
 
 }  // namespace measure::scene
@@ -48,10 +76,16 @@ int main(int argc, char** argv) {
     try {
       Call call = parse_call(argc, argv);
       Options& options = call.options;
-      open_boxed(options.built.empty() ? measure::build_submission(options.submission)
-                                       : measure::read_boxed(options.built),
-                 options.engine);
       options.threads = 1;  // there is one worker
+      std::vector<Subject> all = submissions_of(options);
+      if (all.empty()) throw pt::Error("say whose code: --submission DIR");
+      if (all.size() > 1) {
+        // In the same box, so that their times can be compared.
+        all.insert(all.begin(), built_once("reference", "", options.engine));
+        return run_call(call, all);
+      }
+      all[0].open();
+      options.whose = all[0].name;
       return run_call(call);
     } catch (const measure::SubmissionFailed& error) {
       return is_not_measured(error);

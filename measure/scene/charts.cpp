@@ -13,13 +13,12 @@ namespace fs = std::filesystem;
 namespace {
 
 const char* const kOptionsChart = R"gp(set logscale xy
-set xlabel "processor seconds for the picture"
 set ylabel "error (root of relMSE)"
 plot )gp";
 
 const char* const kBouncesChart = R"gp(set logscale y
 set xlabel "most bounces, m"
-set ylabel "missing fraction of the radiance"
+set ylabel "missing: root of relMSE"
 set format y "%g"
 set key off
 plot "bounces.csv" using 1:($2 > 0 ? $2 : NaN) skip 1 with linespoints lc rgb "#0072b2" lw 2 pt 7 ps .6{})gp";
@@ -37,6 +36,18 @@ plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#0072b2" pt 7 ps .6 
      {:.8g} + {:.8g} / x lc rgb "#0072b2" lw 2 title "A + B / l", \
      "" using 1:4:5 skip 1 axes x1y2 with yerrorbars lc rgb "#d55e00" pt 5 ps .6 title "time", \
      {:.8g} + {:.8g} * x axes x1y2 lc rgb "#d55e00" lw 2 title "c0 + c1 l"{}{} axes x1y2)gp";
+
+// The subject of a chart, and its settings.
+std::string title_of(const Options& options, const std::string& settings) {
+  return fmt::format("set title \"{}\\n{}\" noenhanced\n", subject_of(options, "\\n"), settings);
+}
+
+std::string caption_of(const Options& options, const std::string& what, const std::string& settings,
+                       bool is_timed) {
+  const std::string machine = processor();
+  return fmt::format("{}: {}, {}{}. {}", what, subject_of(options), settings,
+                     is_timed && !machine.empty() ? ", on " + machine : "", kErrorCaption);
+}
 
 // A line of the file, and of the chart if it has a colour: a way with its numbers of light samples.
 struct ChartLine {
@@ -70,7 +81,9 @@ std::vector<ChartLine> curves(const Answer& answer) {
 }
 
 // The points of each line follow from what was measured with its light samples, and the bias.
-void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
+void draw_options(const Answer& answer, const Options& asked) {
+  const fs::path& folder = asked.out;
+  const double pixels = static_cast<double>(asked.width) * asked.height;
   constexpr int kMostSamples = 1 << 14;
   std::string csv = "title,light_samples,samples,seconds,error\n", plot, points;
   std::vector<NamedEnd> ends;
@@ -109,24 +122,38 @@ void draw_options(const Answer& answer, double pixels, const fs::path& folder) {
   pt::write_file(folder / "options.csv", csv);
   plot += fmt::format("{:.6g} lc rgb \"{}\" dt 2\n", answer.error, ink::kGray);
   ends.push_back({"error wanted", ink::kGray, answer.error});
+  const Way& way = answer.best.way;
+  const std::string settings = fmt::format(
+      "at most {} bounces and survival {:g} where nothing else is said", way.bounces, way.survival);
   draw(folder, "options",
-       points + names_beside(std::move(ends), low / 1.3, high * 1.3) + kOptionsChart + plot);
+       title_of(asked, settings) + "set xlabel \"" + processor_seconds() + "\"\n" + points +
+           names_beside(std::move(ends), low / 1.3, high * 1.3) + kOptionsChart + plot,
+       caption_of(asked, "Error over processor seconds, setting by setting", settings, true));
 }
 
-void draw_bounces(const Answer& answer, const fs::path& folder) {
+void draw_bounces(const Answer& answer, const Options& options) {
+  const fs::path& folder = options.out;
+  const std::string settings = "all light, with l = 1 and survival .7";
   std::string csv = "most_bounces,bias\n";
   for (std::size_t m = 0; m < answer.bias2.size(); ++m) {
     csv += fmt::format("{},{:.6g}\n", m, std::sqrt(answer.bias2[m].value));
   }
   pt::write_file(folder / "bounces.csv", csv);
-  draw(folder, "bounces",
-       fmt::format(fmt::runtime(kBouncesChart),
-                   under_the_pointer({"\"bounces.csv\" skip 1", "missing with at most m bounces",
-                                      "$1", "($2 > 0 ? $2 : NaN)", "$2", ""})));
+  draw(
+      folder, "bounces",
+      title_of(options, settings) +
+          fmt::format(fmt::runtime(kBouncesChart),
+                      under_the_pointer({"\"bounces.csv\" skip 1", "missing with at most m bounces",
+                                         "$1", "($2 > 0 ? $2 : NaN)", "$2", ""})),
+      caption_of(options, "The error that m bounces leave, with any number of samples", settings,
+                 false));
 }
 
-void draw_noise(const Answer& answer, const fs::path& folder) {
+void draw_noise(const Answer& answer, const Options& options) {
+  const fs::path& folder = options.out;
   const Option& option = answer.survivals[0];
+  const std::string settings =
+      fmt::format("at most {} bounces, survival {:g}", option.way.bounces, option.way.survival);
   std::string csv = "light_samples,variance,variance_error,microseconds,microseconds_error,rays\n";
   for (const Tried& tried : option.tried) {
     csv += fmt::format("{},{:.6g},{:.3g},{:.6g},{:.3g},{:.6g}\n", tried.light_samples,
@@ -135,11 +162,14 @@ void draw_noise(const Answer& answer, const fs::path& folder) {
   }
   pt::write_file(folder / "noise.csv", csv);
   draw(folder, "noise",
-       fmt::format(
-           fmt::runtime(kNoiseChart), option.model.noise.at_zero, option.model.noise.slope,
-           1e6 * option.model.seconds.at_zero, 1e6 * option.model.seconds.slope,
-           under_the_pointer({"\"noise.csv\" skip 1", "variance", "$1", "$2", "$2", "$3"}),
-           under_the_pointer({"\"noise.csv\" skip 1", "microseconds", "$1", "$4", "$4", "$5"})));
+       title_of(options, settings + (processor().empty() ? "" : "; " + processor())) +
+           fmt::format(
+               fmt::runtime(kNoiseChart), option.model.noise.at_zero, option.model.noise.slope,
+               1e6 * option.model.seconds.at_zero, 1e6 * option.model.seconds.slope,
+               under_the_pointer({"\"noise.csv\" skip 1", "variance", "$1", "$2", "$2", "$3"}),
+               under_the_pointer({"\"noise.csv\" skip 1", "microseconds", "$1", "$4", "$4", "$5"})),
+       caption_of(options, "Variance and time of a camera sample by its light samples", settings,
+                  true));
 }
 
 }  // namespace
@@ -147,9 +177,9 @@ void draw_noise(const Answer& answer, const fs::path& folder) {
 void write_charts(const Answer& answer, const Options& options, const pt::Scene& scene) {
   const fs::path& folder = options.out;
   const double pixels = static_cast<double>(options.width) * options.height;
-  draw_options(answer, pixels, folder);
-  draw_bounces(answer, folder);
-  draw_noise(answer, folder);
+  draw_options(answer, options);
+  draw_bounces(answer, options);
+  draw_noise(answer, options);
   pt::write_file(folder / "cheapest.json", to_json(answer, scene.primitives.size(), pixels).dump());
 }
 

@@ -38,17 +38,19 @@ Uncertain product(const Uncertain& error, double cost) {
 }
 
 void add_products(MethodCurve& curve) {
-  std::vector<Uncertain> seconds, rays;
+  std::vector<Uncertain> seconds, rays, samples;
   for (const Checked& point : curve.points) {
     seconds.push_back(product(point.error, point.seconds));
     rays.push_back(product(point.error, point.rays));
+    samples.push_back(product(point.error, point.samples));
   }
   curve.error2_second = combined(seconds);
   curve.error2_ray = combined(rays);
+  curve.error2_sample = combined(samples);
 }
 
 MethodCurve measured(Study& study, const Method& method, double part) {
-  MethodCurve curve{method, {}, {}, {}, {}, false, false};
+  MethodCurve curve{method, {}, {}, {}, {}, {}, false, false};
   const Tried tried = study.try_out(method.way, {method.light_samples})[0];
   const Uncertain of_way = seen_bias(tried.bias2) ? tried.bias2 : Uncertain{};
   curve.heavy_tails = tried.variance.error > kHeavy * tried.variance.value;
@@ -110,12 +112,12 @@ double error_after(const std::vector<Checked>& line, double seconds) {
   return INFINITY;
 }
 
+}  // namespace
+
 Uncertain ratio(const Uncertain& a, const Uncertain& b) {
   const double value = a.value / b.value;
   return {value, value * std::hypot(a.error / a.value, b.error / b.value)};
 }
-
-}  // namespace
 
 std::vector<Method> methods_in(const pt::Scene& scene, int bounces, pt::Engine engine) {
   const bool delta = std::all_of(scene.lights.begin(), scene.lights.end(), pt::is_delta);

@@ -27,6 +27,7 @@ struct MethodCurve {
   Uncertain slope;           // of log error over log samples; -1/2 where samples are independent
   Uncertain error2_second;   // error^2 x seconds per pixel: the same for every number of samples
   Uncertain error2_ray;      // error^2 x rays per pixel
+  Uncertain error2_sample;   // error^2 x samples per pixel
   bool heavy_tails = false;  // a few samples make most of the variance: it is uncertain
   // No number of samples helps: most of the last error is light that the method never finds.
   bool fails = false;
@@ -65,6 +66,9 @@ struct Efficiency {
   Uncertain value;
 };
 std::vector<Efficiency> efficiencies(const MethodCurve& curve, const MethodCurve& first);
+
+// A quotient of independent numbers.
+Uncertain ratio(const Uncertain& a, const Uncertain& b);
 
 // At most seven curves to draw, each unlike the others: light sampling with l = 1, the cheapest other l
 // and the dearest, the cheapest hemisphere sampling, the cheapest other survival, adaptive sampling,

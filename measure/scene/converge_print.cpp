@@ -66,19 +66,17 @@ set style fill transparent solid 0.2 noborder
 )gp";
 
 // The subject of a chart, which has to be told without the page around it.
+constexpr const char* kElse = "l = 1 and survival .7 where nothing else is said";
 std::string title_of(const Options& options) {
-  return fmt::format(
-      "set title \"{}, {} x {} pixels, at most {} bounces\\nl = 1 and survival .7 where nothing "
-      "else is said\" "
-      "noenhanced\n",
-      options.scene.filename().string(), options.width, options.height, options.bounces);
+  return fmt::format("set title \"{}, at most {} bounces\\n{}\" noenhanced\n",
+                     subject_of(options, "\\n"), options.bounces, kElse);
 }
 
-// Times are those of a machine.
-std::string seconds_label() {
-  const std::string all = processor(),
-                    model = all.substr(0, all.find(" @"));  // without its frequency
-  return "processor seconds" + (model.empty() ? "" : "\\n{/*0.8 " + model + "}");
+std::string caption_of(const Options& options, const std::string& what, bool is_timed) {
+  const std::string machine = processor();
+  return fmt::format("{}: {}, at most {} bounces, {}{}. {}", what, subject_of(options),
+                     options.bounces, kElse, is_timed && !machine.empty() ? ", on " + machine : "",
+                     kErrorCaption);
 }
 
 // The lowest and the highest number of a chart, with some room beside them.
@@ -100,7 +98,7 @@ constexpr double kLowestDrawn = 0.05;
 
 void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve& first,
                        double pixels, const Options& options) {
-  const std::filesystem::path& folder = options.out;
+  const std::string name = options.prefix + "efficiency";
   std::string csv = "method,seconds,efficiency,error_of_it\n", plots;
   std::vector<NamedEnd> ends;
   Span span;
@@ -117,18 +115,19 @@ void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve&
     const std::string below = last > kLowestDrawn ? "" : fmt::format(": {:.2g}", last);
     ends.push_back({name_of(curve, first) + below, drawn[i].color, last});
     plots += fmt::format(
-        "{0}\"efficiency.csv\" index {1} using 2:($3-$4):($3+$4) skip {2} with filledcurves lc rgb "
+        "{0}\"{5}.csv\" index {1} using 2:($3-$4):($3+$4) skip {2} with filledcurves lc rgb "
         "\"{3}\", \"\" index {1} using 2:3 skip {2} with linespoints lc rgb \"{3}\" lw 2 pt {4}",
-        i > 0 ? ", " : "", i, i == 0 ? 1 : 0, drawn[i].color, mark_of(curve));
-    plots +=
-        under_the_pointer({fmt::format("\"efficiency.csv\" index {} skip {}", i, i == 0 ? 1 : 0),
-                           name_of(curve, first), "$2", "$3", "$3", "$4"});
+        i > 0 ? ", " : "", i, i == 0 ? 1 : 0, drawn[i].color, mark_of(curve), name);
+    plots += under_the_pointer({fmt::format("\"{}.csv\" index {} skip {}", name, i, i == 0 ? 1 : 0),
+                                name_of(curve, first), "$2", "$3", "$3", "$4"});
   }
-  pt::write_file(folder / "efficiency.csv", csv);
-  draw(folder, "efficiency",
-       title_of(options) + fmt::format(fmt::runtime(kStyle), "%g", seconds_label(),
+  pt::write_file(options.out / (name + ".csv"), csv);
+  draw(options.out, name,
+       title_of(options) + fmt::format(fmt::runtime(kStyle), "%g", processor_seconds(),
                                        "efficiency beside lights, l = 1",
-                                       span.names(std::move(ends)), plots));
+                                       span.names(std::move(ends)), plots),
+       caption_of(options, "Efficiency, 1 / (time x error^2), beside light sampling with l = 1",
+                  true));
 }
 
 // The error over a column of converge.csv. Over samples and rays all engines have the same line.
@@ -152,22 +151,25 @@ void draw_errors(const std::vector<DrawnMethod>& drawn, const MethodCurve& first
     ends.push_back(
         {name_of(*each.curve, first), each.color, each.curve->points.back().error.value});
     plots += fmt::format(
-        "{}\"converge.csv\" index {} using {}:6:7 with yerrorlines lc rgb \"{}\" lw 2 pt {}",
-        plots.empty() ? "" : ", ", each.curve - &first, axis.column, each.color,
+        "{}\"{}converge.csv\" index {} using {}:6:7 with yerrorlines lc rgb \"{}\" lw 2 pt {}",
+        plots.empty() ? "" : ", ", options.prefix, each.curve - &first, axis.column, each.color,
         mark_of(*each.curve));
-    plots += under_the_pointer({fmt::format("\"converge.csv\" index {}", each.curve - &first),
-                                name_of(*each.curve, first), fmt::format("${}", axis.column), "$6",
-                                "$6", "$7"});
+    plots += under_the_pointer(
+        {fmt::format("\"{}converge.csv\" index {}", options.prefix, each.curve - &first),
+         name_of(*each.curve, first), fmt::format("${}", axis.column), "$6", "$6", "$7"});
   }
   if (over_seconds) {
-    plots += fmt::format(", \"front.csv\" using 1:2 skip 1 with lines lc rgb \"{}\" lw 1.5 dt 3",
-                         ink::kBlack);
+    plots += fmt::format(", \"{}front.csv\" using 1:2 skip 1 with lines lc rgb \"{}\" lw 1.5 dt 3",
+                         options.prefix, ink::kBlack);
   }
-  const std::string label = over_seconds ? seconds_label() : axis.label;
-  draw(options.out, axis.file,
-       title_of(options) + fmt::format(fmt::runtime(kStyle), axis.format, label,
-                                       "error (root of relMSE)", span.names(std::move(ends)),
-                                       plots));
+  const std::string label = over_seconds ? processor_seconds() : axis.label;
+  draw(
+      options.out, options.prefix + axis.file,
+      title_of(options) + fmt::format(fmt::runtime(kStyle), axis.format, label,
+                                      "error (root of relMSE)", span.names(std::move(ends)), plots),
+      caption_of(options,
+                 fmt::format("Error over {}", over_seconds ? "processor seconds" : axis.label),
+                 over_seconds));
 }
 
 void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem::path& file) {
@@ -211,11 +213,9 @@ std::string parts_text(const std::vector<MethodCurve>& curves) {
 std::string to_text(const std::vector<MethodCurve>& curves, const Options& options) {
   const MethodCurve& beside = beside_which(curves, options);
   std::string text = fmt::format(
-      "{}, {} x {} pixels, at most {} bounces: the error; and time for the same error, error at "
-      "the "
-      "same time,\nboth beside {}\n\n  {:<35}",
-      options.scene.string(), options.width, options.height, options.bounces, beside.method.title,
-      "");
+      "{}, at most {} bounces: the error; and time for the same error, error at the same time,\n"
+      "both beside {}\n\n  {:<35}",
+      subject_of(options), options.bounces, beside.method.title, "");
   for (const int samples : kSamples) text += fmt::format("{:>9}", fmt::format("s = {}", samples));
   text += fmt::format("  {:>14} {:>13} {:>13}\n", "slope", "time", "error");
   for (const MethodCurve& curve : curves) text += row(curve, beside);
@@ -231,7 +231,7 @@ std::string to_text(const std::vector<MethodCurve>& curves, const Options& optio
 
 void write_curves(const std::vector<MethodCurve>& curves, const Options& options,
                   double cpu_seconds) {
-  const std::filesystem::path& folder = options.out;
+  const auto file = [&](const char* name) { return options.out / (options.prefix + name); };
   const double pixels = static_cast<double>(options.width) * options.height;
   std::string csv = "method,light_samples,samples,seconds,rays,error,error_of_it\n";
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -242,17 +242,17 @@ void write_curves(const std::vector<MethodCurve>& curves, const Options& options
                          point.rays * pixels, point.error.value, point.error.error);
     }
   }
-  pt::write_file(folder / "converge.csv", csv);
-  write_factors(curves, folder / "factors.csv");
+  pt::write_file(file("converge.csv"), csv);
+  write_factors(curves, file("factors.csv"));
   csv = "seconds,error\n";
   for (const FrontPlace& place : front_of(curves)) {
     csv += fmt::format("{:.6g},{:.6g}\n", place.seconds * pixels, place.error);
   }
-  pt::write_file(folder / "front.csv", csv);
+  pt::write_file(file("front.csv"), csv);
   const std::vector<DrawnMethod> drawn = seven_of(curves);
   draw_efficiencies(drawn, curves[0], pixels, options);
   for (const Axis& axis : kAxes) draw_errors(drawn, curves[0], axis, options);
-  pt::write_file(folder / "converge.json", to_json(curves, pixels, cpu_seconds).dump());
+  pt::write_file(file("converge.json"), to_json(curves, pixels, cpu_seconds).dump());
 }
 
 }  // namespace measure::scene

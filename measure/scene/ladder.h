@@ -96,6 +96,6 @@ Ladder climb(Measuring& scene, const Options& options, std::vector<std::string> 
 std::string to_text(const Ladder& ladder, const Options& options);
 
 // Writes ladder.csv, and with gnuplot a chart.
-void write_ladder(const Ladder& ladder, const std::filesystem::path& folder);
+void write_ladder(const Ladder& ladder, const Options& options);
 
 }  // namespace measure::scene

@@ -13,7 +13,7 @@ int run(int argc, const char* const* argv) {
   const Ladder ladder = climb(scene, options, {argv, argv + argc});
   scene.progress.clear();
   fmt::print("{}", to_text(ladder, options));
-  if (!options.out.empty()) write_ladder(ladder, options.out);
+  if (!options.out.empty()) write_ladder(ladder, options);
   return 0;
 }
 

@@ -73,6 +73,7 @@ std::string notes(const Ladder& ladder) {
 
 // The engines' rungs differ only in time, so rays mean nothing there.
 const char* const kLadderChart = R"gp(set logscale y
+set title "{}" noenhanced
 set terminal svg size 860,520 font "sans-serif,13"
 set ylabel "cost of the plainest renderer over the cost of this one"
 set xtics rotate by -35 ({})
@@ -96,7 +97,8 @@ std::string to_text(const Ladder& ladder, const Options& options) {
   return text + "\n" + best_text(ladder) + notes(ladder);
 }
 
-void write_ladder(const Ladder& ladder, const std::filesystem::path& folder) {
+void write_ladder(const Ladder& ladder, const Options& options) {
+  const std::filesystem::path& folder = options.out;
   std::string csv =
       "rung,idea,mixture,seconds_per_pixel,rays_per_pixel,relmse,worth,in_all,in_all_error,"
       "in_all_rays,worth_error,worth_rays,samples_per_pixel,light_samples,survival\n";
@@ -112,12 +114,16 @@ void write_ladder(const Ladder& ladder, const std::filesystem::path& folder) {
     names += fmt::format("{}\"{}\" {}", k == 0 ? "" : ", ", rung.rung.idea, k);
   }
   pt::write_file(folder / "ladder.csv", csv);
+  const std::string subject = fmt::format("{}, at most {} bounces, s = {}; {}", subject_of(options),
+                                          options.bounces, options.samples, processor());
   draw(
       folder, "ladder",
       fmt::format(
-          fmt::runtime(kLadderChart), names, static_cast<double>(ladder.rungs.size()) - .5,
+          fmt::runtime(kLadderChart), subject, names, static_cast<double>(ladder.rungs.size()) - .5,
           under_the_pointer({"\"ladder.csv\" skip 1", "time x variance", "$1", "$8", "$8", "$9"}),
-          under_the_pointer({"\"ladder.csv\" skip 1", "rays x variance", "$1", "$10", "$10", ""})));
+          under_the_pointer({"\"ladder.csv\" skip 1", "rays x variance", "$1", "$10", "$10", ""})),
+      fmt::format("The cost of the plainest renderer over that of each better one: {}. {}", subject,
+                  kErrorCaption));
 }
 
 }  // namespace measure::scene

@@ -32,7 +32,8 @@ const char* kCheapestExamples =
     "  ./run cheapest scenes/box_spheres.dae --from student\n";
 const char* kConvergeExamples =
     "  ./run converge scenes/box_spheres.dae --out box\n"
-    "  ./run converge scenes/box_spheres.dae -m 1 --from direct_lights=student\n";
+    "  ./run converge scenes/box_spheres.dae -m 1 --from direct_lights=student\n"
+    "  ./run converge scenes/box_spheres.dae --submission anna --submission ben --out box\n";
 
 const char* kLadder =
     "The worth of an idea is a factor in time x variance: without the idea, the picture takes "
@@ -84,16 +85,23 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
       ->default_str("wide");
   app.add_flag("--lambertian", options.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
-  app.add_option("--seconds", options.seconds, "How long to measure; more is more exact")
+  app.add_option("--seconds", options.seconds, "How long to measure each code; more is more exact")
       ->check(CLI::Range(0.1, 36000.0))
       ->capture_default_str();
   app.add_option("--out", options.out, "A folder for charts and their numbers; default: none");
   app.add_option("--pixels", options.pixels)->group("")->check(CLI::Range(100, 1000000));
-  app.add_option(
-         "--submission", options.submission,
-         "Somebody else's code, in the box: a folder, an archive, or a clone of CS184's skeleton")
+  const auto several = [&](const char* name, std::vector<std::string>& values, const char* help) {
+    return app.add_option(name, values, help)->allow_extra_args(false);
+  };
+  several("--submission", options.submissions,
+          "Somebody else's code, in the box: a folder, an archive, or a clone of CS184's skeleton")
       ->check(CLI::ExistingPath);
-  app.add_option("--built", options.built)->group("");
+  several(
+      "--golden", options.goldens,
+      "A right picture of this size (.exr) to measure errors against; twice: two of other seeds")
+      ->check(CLI::ExistingFile);
+  several("--built", options.built, "")->group("");
+  several("--name", options.names, "")->group("");
   app.add_flag("--reference", options.reference)->group("");
   app.add_option("--seed", options.seed, "Of the random numbers")->capture_default_str();
   app.add_option("-t,--threads", options.threads, "Threads; default: one per processor")
@@ -114,9 +122,10 @@ void parse(CLI::App& app, Options& options, int argc, const char* const* argv, b
   describe(app, options, size);
   if (!code) {
     app.get_option("--engine")->group("")->take_last();  // hidden in the help
-    app.remove_option(app.get_option("--submission"));
+    for (const char* name : {"--submission", "--golden"}) app.remove_option(app.get_option(name));
   }
   pt::parse(app, argc, argv);
+  if (options.goldens.size() > 2) throw pt::Error("--golden takes one picture, or two");
   if (!size.empty()) {
     options.width = size[0];
     options.height = size[1];
@@ -141,6 +150,9 @@ Options parse_cheapest(int argc, const char* const* argv) {
   parse(app, options, argc, argv);
   options.light_samples = sorted_light_samples(std::move(options.light_samples));
   options.error = error_of(error);
+  if (options.submissions.size() > 1) {
+    throw pt::Error("cheapest takes one --submission; ./run converge compares several");
+  }
   return options;
 }
 
@@ -191,6 +203,15 @@ pt::LoadedScene load_scene(const Options& options) {
   pt::silence_todo();
   choose_engine(loaded.scene, options.engine, kMaxLeaf);
   return loaded;
+}
+
+std::string subject_of(const Options& options, const char* between) {
+  // A chart's title is between quotation marks, in which gnuplot reads some signs as commands.
+  std::string scene = options.scene.filename();
+  for (const char sign : {'"', '`', '\\'}) std::ranges::replace(scene, sign, '_');
+  return fmt::format("{}{}{}{} x {} pixels", scene,
+                     options.whose.empty() ? "" : " by " + options.whose, between, options.width,
+                     options.height);
 }
 
 void print_notes(const pt::LoadedScene& loaded) {

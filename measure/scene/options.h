@@ -28,13 +28,27 @@ struct Options {
   int threads = 1;
   std::filesystem::path out;  // a folder; empty: no files
   std::string beside;         // for converge: the method to compare with; empty: the fastest
-  std::string submission;     // somebody else's code, in the box; empty: what is linked here
-  std::string built;          // the same, already built: the file with the details
+  // Somebody else's code, in the box; empty: what is linked here. `converge` compares several.
+  std::vector<std::string> submissions;
+  std::vector<std::string> built;  // the same, already built: the files with the details
+  std::vector<std::string> names;  // of those, for captions and files
+  std::string whose;               // in captions: the code that is measured now
+  std::string prefix;              // of the names of files, where several are compared
   bool reference =
       false;  // errors are measured against the reference, whose program is beside this one
+  // Right pictures to measure errors against in its place: one, or two with other random numbers.
+  std::vector<std::string> goldens;
   int pixels = 10000;                          // the approximate number of pixels to measure
   std::vector<int> light_samples{1, 2, 4, 8};  // for cheapest: tried for the lines; rising
 };
+
+// "box.dae by anna, 480 x 360 pixels": the beginning of captions and, in two lines, of charts.
+std::string subject_of(const Options& options, const char* between = ", ");
+// Of all captions.
+inline constexpr const char* kErrorCaption =
+    "Errors are the root of relMSE: the mean over the pixels of (x - g)^2 / (g + d)^2, where g is "
+    "the picture without noise "
+    "and d 4 % of its mean.";
 
 enum class Command { cheapest, converge };
 

@@ -20,12 +20,12 @@ has() {
   local where=$1 file
   shift
   for file in "$@"; do
-    case $file in *.svg | *.pdf) command -v gnuplot >/dev/null || continue ;; esac
+    case $file in *.svg | *.pdf | *.tex) command -v gnuplot >/dev/null || continue ;; esac
     [ -s "$where/$file" ] || complain "no $file"
   done
   [ "$(find "$where" -type f | wc -l)" -le $# ] || complain "something is left over"
 }
-has "$folder/charts" {options,bounces,noise}.{csv,svg,pdf} cheapest.json
+has "$folder/charts" {options,bounces,noise}.{csv,svg,pdf,tex} cheapest.json
 
 # In no scene is anything that was tried cheaper than the answer, by more than its error.
 for scene in box_spheres box_empty box_gems box_coil box_blob two_lights pale_room large_light penumbra point_light tiny_light; do
@@ -62,7 +62,7 @@ expect 2 'not written yet: ' "$programs/accuracy.student" cheapest scenes/box_sp
 
 converge() { "$programs/accuracy.reference" converge --seconds 1 --pixels 600 -r 48 36 "$@"; }
 expect 0 'hemisphere, l = 8 ' converge scenes/box_spheres.dae -m 3 --out "$folder/curves"
-has "$folder/curves" converge.{csv,json} {efficiency,factors,front}.csv {efficiency,samples,seconds,rays}.{svg,pdf}
+has "$folder/curves" converge.{csv,json} {efficiency,factors,front}.csv {efficiency,samples,seconds,rays}.{svg,pdf,tex}
 [ "$(grep -c '"lights, l = 1, adaptive"' "$folder/curves/converge.csv")" -eq 4 ] || {
   echo "FAILED: a curve has not four points"
   failures=$((failures + 1))
@@ -75,12 +75,24 @@ grep -q 'hemisphere, l = 1 .*fails: ' "$folder/said" || complain "hemisphere sam
 }
 expect 2 '--bounces' converge scenes/box_spheres.dae -m 17
 
+# Errors against pictures of a file: beside those of the scene nothing is wrong, beside that of another scene everything is.
+for seed in 101 102; do
+  "$1/pt/render" scenes/box_spheres.dae -r 48 36 -s 256 -m 3 --seed $seed -f "$folder/$seed.exr" >/dev/null
+done
+expect 0 'hemisphere, l = 8 ' converge scenes/box_spheres.dae -m 3 --golden "$folder/101.exr" --golden "$folder/102.exr"
+! grep -q 'fails: ' "$folder/said" || complain "right code fails beside right pictures: $(cat "$folder/said")"
+"$1/pt/render" scenes/box_empty.dae -r 48 36 -s 256 -m 3 -f "$folder/other.exr" >/dev/null
+expect 0 'lights, l = 1 .*fails: ' converge scenes/box_spheres.dae -m 3 --golden "$folder/other.exr"
+expect 2 'give -r 48 36 too' "$programs/accuracy.reference" converge scenes/box_spheres.dae --golden "$folder/101.exr"
+expect 2 'is not an EXR' converge scenes/box_spheres.dae --golden scenes/box_spheres.dae
+expect 2 'one picture, or two' converge scenes/box_spheres.dae --golden "$folder/101.exr" --golden "$folder/101.exr" --golden "$folder/101.exr"
+
 ladder() { "$programs/ladder" --seconds 2 -r 48 36 -s 4 "$@"; }
 expect 0 'The best, with' ladder scenes/box_spheres.dae -m 3 --out "$folder/ladder"
 for words in 'the plainest renderer' 'the wide engine' 'light sampling' 'rectangles by solid angle' 'adaptive sampling'; do
   grep -qF -- "$words" "$folder/said" || complain "no rung '$words"
 done
-has "$folder/ladder" ladder.{csv,svg,pdf}
+has "$folder/ladder" ladder.{csv,svg,pdf,tex}
 expect 0 'Hemisphere sampling would miss' ladder scenes/point_light.dae -m 2
 expect 2 '--samples' ladder scenes/box_spheres.dae -s 2
 cp "$programs/ladder" "$folder/ladder/"

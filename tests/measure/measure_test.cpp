@@ -3,12 +3,15 @@
 #include "measure/calls/print.h"
 #include "measure/calls/results.h"
 #include "measure/charts/gnuplot.h"
+#include "measure/charts/labels.h"
+#include "pt/error.h"
 #include "pt/file.h"
 #include "pt/sampling/sampler.h"
 #include "tests/fixtures/temporary_folder.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -16,6 +19,8 @@
 
 namespace measure::calls {
 namespace {
+
+namespace fs = std::filesystem;
 
 TEST(measure, knows_every_task_of_the_table) {
   ASSERT_EQ(tasks().size(), grader::tasks().size());
@@ -197,6 +202,34 @@ TEST(charts, a_method_keeps_its_colour_unless_it_is_taken) {
   std::ranges::sort(taken);
   EXPECT_EQ(std::ranges::unique(taken).begin(), taken.end());
   EXPECT_EQ(ink_of("half_b", taken), own);
+}
+
+TEST(labels, are_names_of_folders_and_tell_them_apart) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(labels_of({"class/anna", "/home/ben/"}), (Words{"anna", "ben"}));
+  EXPECT_EQ(labels_of({"anna/code", "ben/code", "c"}), (Words{"anna_code", "ben_code", "c"}));
+  EXPECT_EQ(labels_of({"objects/hit_bvh.first_child_that_hits.o"}), Words{"first_child_that_hits"});
+  EXPECT_EQ(labels_of({"x/anna", "x/anna"}), (Words{"anna", "anna_2"})) << "the same one twice";
+  EXPECT_EQ(labels_of({"old/reference"}), Words{"old_reference"});
+  EXPECT_EQ(labels_of({"x/`a b`\"$\\"}), Words{"_a_b____"}) << "signs that are commands elsewhere";
+  const TemporaryFolder folder;
+  pt::write_file(folder.path() + "/anna.tar.gz", "");
+  EXPECT_EQ(labels_of({folder.path() + "/anna.tar.gz"}), Words{"anna"});
+  EXPECT_THROW(labels_of({"a", "b", "c", "d", "e"}), pt::Error);
+}
+
+TEST(charts, have_their_caption_in_the_svg_and_for_latex) {
+  const TemporaryFolder folder;
+  draw(folder.path(), "a", "plot x\n", "50 % of a_b & <c>, ± 1 {x}");
+  const fs::path svg = folder.path() + "/a.svg";
+  if (!fs::exists(svg)) GTEST_SKIP() << "gnuplot is missing";
+  EXPECT_NE(pt::read_file(svg).find("<desc>50 % of a_b &amp; &lt;c&gt;, ± 1 {x}</desc>"),
+            std::string::npos);
+  const std::string tex = pt::read_file(folder.path() + "/a.tex");
+  EXPECT_NE(tex.find("\\includegraphics[width=0.99\\linewidth]{a.pdf}"), tex.npos) << tex;
+  EXPECT_NE(tex.find("\\caption{50 \\% of a\\_b \\& $<$c$>$, $\\pm$ 1 \\{x\\}}"), tex.npos) << tex;
+  draw(folder.path(), "b", "plot x\n");
+  EXPECT_FALSE(fs::exists(folder.path() + "/b.tex")) << "no caption";
 }
 
 TEST(charts, a_point_shows_its_values_under_the_pointer) {

@@ -100,6 +100,23 @@ for each in $(of crash "endless ends"); do
   writeup 1 'edge: ' $each
 done
 
+# Several at once, in every place whose they are: a right one, the wrong one of above, and one that crashes.
+if [ "$which" = few ]; then
+  several=(--submission "$folder/good" --submission "$folder/single" --submission "$folder/crash")
+  expect 1 'crash cannot be measured: ' timeout 900 "$build/measure/accuracy_boxed" converge scenes/box_spheres.dae "${several[@]}" \
+    --reference --seconds 1 --pixels 300 -r 48 36 -m 2 --out "$folder/beside"
+  grep -qE '^ +good +single$' "$folder/said" || complain "no table beside the reference: $(cat "$folder/said")"
+  for file in {reference,good,single}.{converge.csv,samples.svg} reference.good.single.beside.{csv,svg,tex} converge.json; do
+    case $file in *.svg | *.tex) command -v gnuplot >/dev/null || continue ;; esac
+    [ -s "$folder/beside/$file" ] || complain "no $file"
+  done
+  expect 1 'single  ' "$build/measure/measure" hit_sphere.half_b --seconds 1 "${several[@]}"
+  grep -qE '^. crash +it ' "$folder/said" || complain "no line of the code that crashes: $(cat "$folder/said")"
+  grep -qE '^. good +[0-9]' "$folder/said" || complain "no line of the right code: $(cat "$folder/said")"
+  cheapest 2 'cheapest takes one --submission' good --submission "$folder/single"
+  expect 2 'at most 4 can be compared' "$build/measure/measure" hit_sphere "${several[@]}" "${several[@]}"
+fi
+
 [ "$which" = few ] || finish
 copy broken
 echo 'not C++' >>"$folder/broken/3_direct/direct_lights.cpp"

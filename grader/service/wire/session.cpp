@@ -25,7 +25,7 @@ constexpr std::size_t kMaxPrinted = std::size_t{1} << 12;
 // Of answers to smaller inputs, for each failure: what costs some tenths of a second.
 constexpr std::uint64_t kMaxAnsweredSmaller = std::uint64_t{1} << 20;
 
-std::unique_ptr<Session> the_session, the_session_of_smaller_inputs;
+std::shared_ptr<Session> the_session, the_session_of_smaller_inputs;
 int search_served = 0;  // the search for smaller inputs that the second session serves
 
 std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content) {
@@ -36,15 +36,18 @@ std::shared_ptr<const Definition> defined(ObjectKind kind, const Writer& content
 
 }  // namespace
 
-void open_session(const SessionSettings& settings) {
-  the_session = std::make_unique<Session>(settings);
+std::shared_ptr<Session> open_session(const SessionSettings& settings) {
+  the_session = std::make_shared<Session>(settings);
   SessionSettings smaller = settings;
   smaller.smaller_inputs = true;
   smaller.max_timeouts = 1;    // each takes the full time limit of a call
   smaller.max_failures = 100;  // one hanging call is enough
   smaller.max_answered = std::min(smaller.max_answered, kMaxAnsweredSmaller);
-  the_session_of_smaller_inputs = std::make_unique<Session>(smaller);
+  the_session_of_smaller_inputs = std::make_shared<Session>(smaller);
+  return the_session;
 }
+
+void use_session(std::shared_ptr<Session> opened) { the_session = std::move(opened); }
 
 Session& session() {
   if (!the_session) throw pt::Error("no session with a worker is open: main has to open one");

@@ -166,8 +166,10 @@ inline constexpr int kBatch = 256;
 // The session of this program, opened once by main. While smaller inputs are tried for a failure,
 // this is another session with its own worker and limits: what these tries do must not change a
 // verdict.
-void open_session(const SessionSettings& settings);
+std::shared_ptr<Session> open_session(const SessionSettings& settings);
 Session& session();
+// Goes on with a session that was opened before the last one; its worker is still there.
+void use_session(std::shared_ptr<Session> opened);
 
 // True if the judge answers this inner call of the task.
 bool answers(std::string_view task, Function function);
