@@ -14,8 +14,8 @@ namespace grader::results {
 //   - no answer in time; then an answer that is wrong; then a picture.
 int importance(const TaskResult& task);
 
-// Puts the failure of a promise first that is shown: found by itself, a crash before wrong numbers, on simple values, exact, with the
-// shortest input.
+// Puts the failure of a promise first that is shown: found by itself, a crash before wrong numbers, on simple values, exact, with a
+// short input; between inputs of about one length, that of the first check.
 void put_most_telling_first(std::vector<Failure>& failures);
 
 // The promises of a task that are not kept, the most telling first. Decided by, in this order:

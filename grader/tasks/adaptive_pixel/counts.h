@@ -99,7 +99,10 @@ inline std::string condition_after(const Case& c, int n) {
 // Fails the case with the condition at the first place where a right solution decides otherwise.
 [[noreturn]] inline void fail_count(const std::string& which, const Case& c, int got, int right,
                                     const std::string& or_else) {
-  fail("", fmt::format("{} samples{}", got, which),
+  const bool never_stopped = got == c.settings.max_samples && right < got;
+  fail("",
+       fmt::format("{} samples{}{}", got, which,
+                   never_stopped ? ", the maximum: it never stopped" : ""),
        fmt::format("{} samples{}{}", right, or_else, condition_after(c, std::min(got, right))));
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace grader::check {
 namespace {
 
@@ -12,6 +14,30 @@ using namespace hit_box_inputs;
 std::string show(const std::optional<pt::Interval>& interval) {
   return interval ? "t from " + check::show(interval->min) + " to " + check::show(interval->max)
                   : "no interval";
+}
+
+// Where the ray is in the box, in words.
+std::string between(const Part& part) {
+  return fmt::format("from t = {} to {}", brief(rounded(part.enter.low)),
+                     brief(rounded(part.leave.high)));
+}
+
+pt::Interval expect_any(const Case& c) {
+  const auto interval = call(c);
+  if (!interval) {
+    fail("", show(interval), "an interval: the ray is in the box " + between(expected(c, 0)));
+  }
+  return *interval;
+}
+
+void expect_none(const Case& c) {
+  const auto interval = call(c);
+  if (!interval) return;
+  const Part line = on_the_line(c.box, c.ray);
+  fail("", show(interval),
+       line.is_miss()
+           ? "no interval: the ray passes beside the box"
+           : "no interval: the line is in the box " + between(line) + ", outside the ray's range");
 }
 
 // A cube of width 2, and a ray through it that starts at a distance of 5.
@@ -26,9 +52,11 @@ void expect_that_it_looks() {
     if (testing::Test::HasFailure()) return;
     once([ray = ray, is_hit = is_hit] {
       const Case c = *rc::gen::just(Case{kPlainBox, ray});
-      const auto interval = call(c);
-      expect(interval.has_value() == is_hit, is_hit ? "an interval" : "no interval",
-             show(interval));
+      if (is_hit) {
+        expect_any(c);
+      } else {
+        expect_none(c);
+      }
     });
   }
 }
@@ -45,12 +73,6 @@ void expect_end(const std::string& what, double got, Ends allowed) {
   expect_near(what, got, 0.5 * low + 0.5 * high, (0.5 * high - 0.5 * low) + 1e-15 * std::abs(low));
 }
 
-pt::Interval expect_any(const Case& c) {
-  const auto interval = call(c);
-  expect(interval.has_value(), "an interval", "none");
-  return *interval;
-}
-
 void expect_ends(const Case& c, const pt::Interval& interval) {
   const Part part = expected(c);
   expect_end("where the ray enters", interval.min, part.enter);
@@ -64,8 +86,7 @@ void hits(const Case& c) {
 
 void misses(const Case& c) {
   if (!expected(c).is_miss()) return;
-  const auto interval = call(c);
-  expect(!interval.has_value(), "no interval", show(interval));
+  expect_none(c);
 }
 
 void has_the_interval(const Case& c) {

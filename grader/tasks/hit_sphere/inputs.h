@@ -209,7 +209,10 @@ inline constexpr std::array<double, 2> kRanges[] = {{0, .5},   {.5, 1.5}, {0, 1.
 
 // The same origin, and the direction of the centre.
 inline Chord through_the_centre(Chord c) {
-  c.ray.direction = normalize(c.sphere.center - c.ray.origin);
+  const pt::Vec3 way = c.sphere.center - c.ray.origin;
+  c.ray.direction = normalize(way);
+  c.t_near = length(way) - c.sphere.radius;
+  c.t_far = length(way) + c.sphere.radius;
   return c;
 }
 

@@ -13,7 +13,10 @@ using Judge = std::function<void(const Chord&)>;
 
 pt::SurfaceHit expect_hit(const Chord& c, const std::string& where = "") {
   const auto hit = call(c);
-  expect(hit.has_value(), "a hit" + where, "none");
+  if (!hit) {
+    const double t = c.t_near > c.ray.t_min ? c.t_near : c.t_far;
+    fail("", "none", "a hit at t = " + brief(t) + where);
+  }
   return *hit;
 }
 
@@ -106,6 +109,8 @@ Chord beginning_later(Chord c) {
 
 Chord from_the_near_point(Chord c) {
   c.ray.origin = c.ray.at(c.t_near);
+  c.t_far = c.length();
+  c.t_near = 0;
   return c;
 }
 

@@ -13,9 +13,16 @@ using namespace hit_triangle_inputs;
 
 using Judge = std::function<void(const Aimed&)>;
 
+[[noreturn]] void fail_without_hit(const Aimed& aimed, const std::string& which = "") {
+  const Place at = place_of(aimed.triangle, aimed.ray.at(aimed.t));
+  fail("", "none",
+       fmt::format("a hit at t = {}, at b0 {}, b1 {}, b2 {}{}", brief(aimed.t),
+                   brief(rounded(at.b0)), brief(rounded(at.b1)), brief(rounded(at.b2)), which));
+}
+
 pt::SurfaceHit expect_hit(const Aimed& aimed, const std::string& which = "") {
   const auto hit = call(aimed);
-  expect(hit.has_value(), "a hit" + which, "none");
+  if (!hit) fail_without_hit(aimed, which);
   return *hit;
 }
 
@@ -28,7 +35,7 @@ std::optional<pt::SurfaceHit> hit_from_either_side(const Aimed& aimed) {
 
 pt::SurfaceHit expect_hit_from_either_side(const Aimed& aimed) {
   const auto hit = hit_from_either_side(aimed);
-  expect(hit.has_value(), "a hit", "none");
+  if (!hit) fail_without_hit(aimed);
   return *hit;
 }
 
@@ -81,8 +88,10 @@ PROMISE(hit_triangle, misses_outside) {
   const Judge beside = misses("the ray is aimed beside the triangle");
   const auto only_outside = [&](const Aimed& aimed) {
     beside(aimed);
-    expect(hit_from_either_side(at_the_middle(aimed)).has_value(),
-           "a hit when the ray is moved to a point inside", "none");
+    const Aimed moved = at_the_middle(aimed);
+    if (!hit_from_either_side(moved)) {
+      fail_without_hit(moved, ", when the ray is moved to that point");
+    }
   };
   all(aimed_outside(), only_outside, 150);
   all(exactly(outside_on_an_edges_line), beside, 200);
@@ -142,7 +151,7 @@ PROMISE(hit_triangle, returns_a_unit_normal) {
     bool any = false;
     all(aimed_inside(range), [&](const Aimed& aimed) {
       const auto hit = hit_from_either_side(aimed);
-      expect(any || hit.has_value(), "a hit", "none");
+      if (!any && !hit) fail_without_hit(aimed);
       any = true;  // other promises judge later misses
       if (hit && range.speed == 1) expect_somewhere_near(hit->t, aimed);
       if (hit) expect_near("the length of n", length(hit->n), 1, kNormalPrecision);
@@ -169,7 +178,7 @@ PROMISE(hit_triangle, hits_both_faces) {
   all(aimed_inside(), [](Aimed aimed) {
     for (const char* corners : {"in their order", "with two of them exchanged"}) {
       for (const char* side : {"one side", "the other side"}) {
-        const std::string which = std::string(" from ") + side + ", with the corners " + corners;
+        const std::string which = std::string(", from ") + side + ", with the corners " + corners;
         expect_somewhere_near(expect_hit(aimed, which).t, aimed, which);
         aimed = aimed.from_the_other_side();
       }
