@@ -20,26 +20,43 @@ int rank_of_cause(Cause cause) {
 
 using Rank = std::array<int, 8>;
 
-// Nearly all promises are broken. Then they have one cause, and the contract begins with the simplest.
-bool is_broken_throughout(const TaskResult& task) {
-  const auto all = std::ranges::count(task.promises, false, &PromiseResult::bonus);
-  const auto broken = std::ranges::count_if(
-      task.promises, [](const PromiseResult& each) { return !each.bonus && !each.held; });
-  return 4 * broken > 3 * all;
+// Of the broken promises of a task.
+struct Broken {
+  // Nearly all are broken. Then they have one cause, and the contract begins with the simplest.
+  bool throughout = false;
+  double most_alike = 0;  // the largest likeness
+};
+
+Broken broken_of(const TaskResult& task) {
+  int all = 0, count = 0;
+  Broken broken;
+  for (const PromiseResult& each : task.promises) {
+    if (each.bonus) continue;
+    ++all;
+    if (each.held) continue;
+    ++count;
+    broken.most_alike = std::max(broken.most_alike, each.likeness);
+  }
+  broken.throughout = 4 * count > 3 * all;
+  return broken;
 }
 
-Rank rank_of(const PromiseResult& promise, bool broken_throughout) {
+Rank rank_of(const PromiseResult& promise, const Broken& broken) {
   constexpr int kFirstInputs = 3, kShortLines = 3, kLongLines = 12;
   // A promise of which half of the checks or fewer fail may be broken only because another one is.
   // Failures together with the submission's other tasks are those of the same checks once more.
   const auto alone = std::ranges::count(promise.failures, false, &Failure::integrated);
   const auto failing = std::max(alone, std::ssize(promise.failures) - alone);
   const int few = promise.checks > 0 && 2 * failing <= promise.checks ? 1 : 0;
-  const int unlike = static_cast<int>(std::lround(100 * (1 - promise.likeness)));
+  const double less = broken.most_alike - promise.likeness;
+  const int unlike = broken.throughout ? static_cast<int>(std::floor(10 * less))
+                                       : static_cast<int>(std::lround(100 * less));
   Rank best{promise.bonus ? 1 : 0, 5, unlike, 1, 1, 1, 1, 2};
   for (const Failure& failure : promise.failures) {
-    Rank rank{promise.bonus ? 1 : 0, rank_of_cause(failure.cause), unlike};
-    if (!broken_throughout) {
+    int cause = rank_of_cause(failure.cause);
+    if (cause == rank_of_cause(Cause::bad_reply) && less > 0.1) cause = rank_of_cause(Cause::wrong);
+    Rank rank{promise.bonus ? 1 : 0, cause, unlike};
+    if (!broken.throughout) {
       const int lines = static_cast<int>(failure.input.size());
       rank[3] = failure.statistical ? 1 : 0;
       rank[4] = few;
@@ -69,26 +86,25 @@ int importance(const TaskResult& task) {
   if (!is_fault(task.state)) return 9;
   if (!task.mistake.empty()) return 0;
   const auto promises = by_importance(task);
-  const bool broken = !promises.empty() && !promises[0]->bonus;
-  if (broken && !promises[0]->failures.empty()) {
-    const int cause = rank_of(*promises[0], false)[1];
+  const bool breaks = !promises.empty() && !promises[0]->bonus;
+  if (breaks && !promises[0]->failures.empty()) {
+    const int cause = rank_of(*promises[0], broken_of(task))[1];
     return cause == 0 ? 1 : cause < 3 ? 3 : 4;
   }
   if (!task.compiler_output.empty() || task.state == State::rejected) return 2;
-  return broken ? 4 : 5;
+  return breaks ? 4 : 5;
 }
 
 std::vector<const PromiseResult*> by_importance(const TaskResult& task) {
-  std::vector<const PromiseResult*> broken;
+  std::vector<const PromiseResult*> promises;
   for (const PromiseResult& promise : task.promises) {
-    if (!promise.held) broken.push_back(&promise);
+    if (!promise.held) promises.push_back(&promise);
   }
-  std::stable_sort(
-      broken.begin(), broken.end(),
-      [throughout = is_broken_throughout(task)](const PromiseResult* a, const PromiseResult* b) {
-        return rank_of(*a, throughout) < rank_of(*b, throughout);
-      });
-  return broken;
+  std::stable_sort(promises.begin(), promises.end(),
+                   [broken = broken_of(task)](const PromiseResult* a, const PromiseResult* b) {
+                     return rank_of(*a, broken) < rank_of(*b, broken);
+                   });
+  return promises;
 }
 
 std::vector<const TaskResult*> by_importance(const Results& results) {

@@ -21,9 +21,11 @@ void put_most_telling_first(std::vector<Failure>& failures);
 // The promises of a task that are not kept, the most telling first. Decided by, in this order:
 //   - bonus promises last;
 //   - a crash before an answer that takes too long or makes no sense, these before wrong numbers, and
-//   last what was not called, because of the others;
+//   last what was not called, because of the others; an answer that is not a number only leads where the
+//   next line agrees, give or take a tenth: one of many wrong answers may happen to be none;
 //   - the promise that the most alike known mistake breaks: the others are often only touched;
-//   - if more than three of four promises are broken, all have one cause: the contract's order;
+//   - if more than three of four promises are broken, all have one cause: likeness counts in tenths, then
+//   the contract's order decides;
 //   - exact answers before means of many draws: one input shows the fault, and no noise is in it;
 //   - a promise of which more than half of the checks fail before others;
 //   - what fails on simple values, then what fails at the first inputs, before what fails rarely;

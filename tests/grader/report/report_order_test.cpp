@@ -79,6 +79,27 @@ TEST(order, begins_with_the_promise_of_the_most_alike_known_mistake) {
               ElementsAre("dead", "dead", "alike", "exact"));
 }
 
+TEST(order, begins_with_what_is_not_a_number_only_where_a_known_mistake_agrees) {
+  PromiseResult wrong = broken("wrong", failure(Cause::wrong));
+  PromiseResult odd = broken("odd", failure(Cause::bad_reply)), kept = broken("kept", {});
+  wrong.likeness = 0.85;
+  kept.held = true;
+  odd.likeness = 0.8;
+  EXPECT_THAT(order(failing("a", {wrong, odd, kept})), ElementsAre("odd", "wrong"));
+  odd.likeness = 0.2;
+  EXPECT_THAT(order(failing("a", {wrong, odd, kept})), ElementsAre("wrong", "odd"));
+}
+
+TEST(order, counts_likeness_in_tenths_where_nearly_everything_is_broken) {
+  PromiseResult basic = broken("basic", failure(Cause::wrong));
+  PromiseResult special = broken("special", failure(Cause::wrong)), kept = broken("kept", {});
+  kept.held = true;
+  basic.likeness = 0.51;
+  special.likeness = 0.54;
+  EXPECT_THAT(order(failing("a", {basic, special})), ElementsAre("basic", "special"));
+  EXPECT_THAT(order(failing("a", {basic, special, kept})), ElementsAre("special", "basic"));
+}
+
 TEST(order, prefers_a_failure_on_simple_values) {
   PromiseResult any = broken("any", failure(Cause::wrong)), simple = any, kept = any;
   simple.name = "simple";
