@@ -3,6 +3,7 @@
 #include "site/live/exchange.h"
 
 #include <iostream>
+#include <string>
 
 #include <dlfcn.h>
 #include <nlohmann/json.hpp>
