@@ -18,7 +18,7 @@ if(FIRSTLIGHT_CLASS)
   find_package(LibArchive REQUIRED)  # makes the archives
   firstlight_test(test_intake quick LIBRARIES grader_intake LibArchive::LibArchive GTest::gmock SOURCES
     ${service}/intake/intake.cpp ${service}/intake/intake_platforms_test.cpp ${service}/intake/intake_archives_test.cpp
-    ${service}/intake/intake_trees_test.cpp ${service}/intake/intake_names_test.cpp
+    ${service}/intake/intake_trees_test.cpp ${service}/intake/intake_names_test.cpp ${service}/intake/form_table_test.cpp
     DEFINES FIRSTLIGHT_ROOT="${PROJECT_SOURCE_DIR}")
   add_executable(forged_names ${service}/intake/forged_names_main.cpp)
   target_link_libraries(forged_names PRIVATE grader_intake firstlight_warnings)
