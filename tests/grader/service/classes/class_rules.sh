@@ -129,6 +129,25 @@ row = {line["submission"]: line for line in csv.DictReader(open(sys.argv[1], new
 assert row["ada"]["days_late"] == "" and row["bob"]["days_late"] == "1" and int(row["bob"]["grade"]) < int(row["ada"]["grade"])
 PYTHON
 
+# An instructor's form of names holds in an archive of the class too, which is unpacked in a box.
+mkdir "$folder/named"
+for learner in x_Ada_7 x_Bob_8; do
+  mkdir "$folder/named/$learner"
+  cp reference/1_rays/hit_sphere.cpp "$folder/named/$learner"
+done
+(cd "$folder/named" && python3 -m zipfile -c "$folder/named.zip" x_Ada_7 x_Bob_8)
+printf 'platform,pattern\nours,{any}_{name}_{number}\n' >"$folder/forms.csv"
+"$grader/grade_class" plan "$folder/named.zip" --out "$folder/planned" --forms "$folder/forms.csv" --not-isolated -- hit_sphere >"$folder/said" 2>&1 ||
+  complain "a class with a form of its own has no plan: $(cat "$folder/said")"
+python3 - "$folder/planned/plan.json" <<'PYTHON' || complain 'the form of the instructor does not hold in an archive'
+import json, sys
+everybody = json.load(open(sys.argv[1]))["everybody"]
+assert [(by["name"], by["id"], by["problem"]) for by in everybody] == [("Ada", "7", ""), ("Bob", "8", "")], everybody
+PYTHON
+printf 'platform,pattern\nours,{nobody}_{file}\n' >"$folder/forms.csv"
+grades 2 --forms "$folder/forms.csv"
+says "forms.csv:2: '{nobody}_{file}': there is no field {nobody}"
+
 # Bad input: one sentence, and nothing is judged.
 refuses() {
   printf '%b' "$2" >"$folder/$1"
