@@ -183,6 +183,10 @@ void Collector::finish_page(const Graded& graded, const Grade& grade) const {
   const std::string page = pt::read_file(path);
   std::map<std::string, std::string> files;
   if (plan_.real_names.empty()) files = files_of(config_, graded.by);
+  // A file that is as it was handed out tells nobody anything.
+  for (const results::TaskResult& task : graded.results.tasks) {
+    if (task.state == results::State::not_attempted) files.erase(task.slug);
+  }
   const std::string finished =
       platforms::finished_page(page, platforms::grade_sentence(grade.points, grade.reason), files);
   if (finished != page) pt::write_file(path, finished);

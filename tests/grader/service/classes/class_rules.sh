@@ -120,9 +120,12 @@ for learner in ada bob; do
   mkdir "$folder/class/$learner"
   cp reference/1_rays/hit_sphere.cpp "$folder/class/$learner"
 done
+mkdir "$folder/class/stub"
+cp student/1_rays/hit_sphere.cpp "$folder/class/stub"
 printf 'name,handed_in\nADA,\nbob,2027-01-16T01:30+02:00\n' >"$folder/roster.csv"
 grades 0 --penalty 50
-says 'nothing says when 1 of the submissions were handed in, so nothing is taken off'
+! grep -qF 'What was handed in' "$folder/graded/stub.html" || complain 'a page shows a file that is as it was handed out'
+says 'nothing says when 2 of the submissions were handed in, so nothing is taken off'
 python3 - "$folder/graded/class.csv" <<'PYTHON' || complain 'the time of the roster does not count'
 import csv, sys
 row = {line["submission"]: line for line in csv.DictReader(open(sys.argv[1], newline="", encoding="utf-8-sig"))}
