@@ -16,7 +16,7 @@ edition_files() {
 # Files for people who teach or work on the project, and the solutions of tasks.
 only_for_us='^scripts/(editions/|pages/|site[.])|^grader/programs/(bless[.]|know[.]|judge[.]|compare_picture[.])|^grader/renderers/|^pt/(render/export_main[.]|scene/export/)|^grader/tasks/[a-z_]+/((right|noisy|ordinary)/|mistakes[.]txt)'
 # shellcheck disable=SC2034
-not_for_learners="$only_for_us"'|^grader/service/(classes|platforms)/|^grader/service/intake/(archive_reader|entry_path|gradescope|handed_in|names_that_differ|owner|pack|pieces|unpack)[.]|^grader/tasks/[a-z_]+/methods/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|instructors|four_bugs|coil|ladder|performance|README|commands)|^README'
+not_for_learners="$only_for_us"'|^grader/service/(classes|platforms)/|^grader/service/intake/((archive_reader|canvas_form|entry_path|gradescope|handed_in|names_that_differ|owner|pack|pieces|unpack|written_date)[.]|form_table[.]cpp)|^grader/name_forms|^grader/tasks/[a-z_]+/methods/|^writeup/[a-z0-9]+\.md$|^docs/(decisions/|instructors|four_bugs|coil|ladder|performance|README|commands)|^README'
 
 # expect_new_folder FOLDER, expect_stubs, expect_headers: fail if an edition would be made over something, with what somebody wrote, or
 # without a header. Everything is built before an edition is made, so ./run asks first. `fail` is the caller's.
