@@ -132,7 +132,7 @@ std::vector<Triple> colors(const std::array<Plane, 3>& planes, int width) {
   return all;
 }
 
-// How strong an edge, and how strong a line or a point each pixel is in.
+// Returns the strength of the edge, and that of the line or point, that each pixel is in.
 std::array<Plane, 2> features(const Plane& y, int width) {
   const double deviation = .5 * .082 * kPixelsPerDegree;
   const auto bell = [&](double x) { return std::exp(-x * x / (2 * deviation * deviation)); };
