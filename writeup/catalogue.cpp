@@ -162,6 +162,27 @@ const Figure* Catalogue::find(const std::string& id) const {
   return nullptr;
 }
 
+void add_codes(Catalogue& catalogue, const std::vector<std::string>& labels) {
+  for (Figure& figure : catalogue.figures) {
+    std::vector<Picture> all;
+    for (const Picture& picture : figure.pictures) {
+      all.push_back(picture);
+      if (!picture.mistake.empty()) continue;
+      all.back().label = std::string(kReference) + ": " + picture.label;
+      for (const std::string& label : labels) {
+        Picture other = picture;
+        other.id += "_" + label;
+        other.label = label + ": " + picture.label;
+        other.mistake = other_code(label);
+        if (!other.time_of.empty()) other.time_of += "_" + label;
+        all.push_back(std::move(other));
+      }
+    }
+    for (const std::string& label : labels) figure.source += label;
+    figure.pictures = std::move(all);
+  }
+}
+
 Catalogue read_catalogue(const std::filesystem::path& file) {
   Catalogue catalogue;
   std::string at = "it";

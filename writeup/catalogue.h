@@ -88,6 +88,12 @@ struct Catalogue {
   const Figure* find(const std::string& id) const;
 };
 
+// The name of a submission's code in Picture::mistake. No mistake is called that.
+inline std::string other_code(const std::string& label) { return "by " + label; }
+
+// Each picture that is rendered by the code that is written about is there once more by each of these submissions.
+void add_codes(Catalogue& catalogue, const std::vector<std::string>& labels);
+
 // Throws pt::Error with the figure's name for anything that it cannot use.
 Catalogue read_catalogue(const std::filesystem::path& file);
 

@@ -18,18 +18,22 @@ constexpr std::size_t kMaxObject = std::size_t{1} << 28;
 constexpr std::chrono::minutes kBuildTime{20};
 constexpr std::size_t kMaxJson = std::size_t{1} << 22;
 
-std::string built_file(const Options& options) { return options.work + "/submission.json"; }
+std::string built_file(const Options& options, const std::string& label) {
+  return options.work + "/submission." + label + ".json";
+}
 
 // Compiles the submission, and links its tasks with the parts that the file `parts` lists.
-void build(const Options& options, const std::string& built, const std::string& parts) {
+void build(const Options& options, const std::string& submission, const std::string& built,
+           const std::string& parts) {
   const auto result =
-      grader::process::run_command({{options.boxed, "build", options.submission, built, parts},
+      grader::process::run_command({{options.boxed, "build", submission, built, parts},
                                     {"PATH=/usr/bin:/bin", "LANG=C.UTF-8"},
                                     {},
                                     "",
                                     {}},
                                    kBuildTime);
-  if (!result.ok()) throw pt::Error("the submission cannot be built: " + result.output);
+  if (!result.ok())
+    throw pt::Error("the submission " + submission + " cannot be built: " + result.output);
 }
 
 }  // namespace
@@ -49,9 +53,10 @@ Code code_of_program(const std::filesystem::path& program) {
   return code;
 }
 
-Code code_of_submission(const Options& options) {
-  const std::string built = built_file(options);
-  build(options, built, "writeup_boxed.json");
+Code code_of_submission(const Options& options, const std::string& submission,
+                        const std::string& label) {
+  const std::string built = built_file(options, label);
+  build(options, submission, built, "writeup_boxed.json");
   const auto in = nlohmann::json::parse(pt::read_file(built, kMaxJson));
   Code code;
   code.command = {options.boxed, "render", in.at("worker"), in.at("tier")};
@@ -61,16 +66,32 @@ Code code_of_submission(const Options& options) {
   return code;
 }
 
-Code accuracy_of_submission(const Options& options, const Code& code) {
+Code accuracy_of_submission(const Options& options, const Code& code, const std::string& label) {
   Code accuracy = code;
-  accuracy.command = {options.accuracy, "--built", built_file(options)};
+  accuracy.command = {options.accuracy, "--built", built_file(options, label), "--name", label};
   accuracy.hash["framework"] += grader::base::sha256(grader::base::stamp(options.accuracy));
   return accuracy;
 }
 
+Code accuracy_of_several(const Options& options, const std::map<std::string, Code>& codes) {
+  const std::filesystem::path program =
+      std::filesystem::path(options.boxed).parent_path() / "accuracy_boxed";
+  Code several;
+  several.command = {program};
+  const std::filesystem::path reference = program.parent_path() / "ladder_rung.reference";
+  if (std::filesystem::exists(reference)) several.command.emplace_back("--reference");
+  several.hash["framework"] = grader::base::stamp(program);
+  for (const auto& [label, code] : codes) {
+    const Code one = accuracy_of_submission(options, code, label);
+    several.command.insert(several.command.end(), one.command.begin() + 1, one.command.end());
+    for (const auto& [task, hash] : code.hash) several.hash[task] += label + hash;
+  }
+  return several;
+}
+
 Code view_of_submission(const Options& options, const Code& code, bool is_wanted) {
   const std::string built = options.work + "/submission_view.json";
-  if (is_wanted) build(options, built, "view_boxed.json");
+  if (is_wanted) build(options, options.submissions.at(0), built, "view_boxed.json");
   Code view = code;
   view.command = {options.view, "--boxed", built, "--reference", options.view_worker};
   view.hash["framework"] += grader::base::sha256(grader::base::stamp(options.view) +

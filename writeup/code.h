@@ -22,10 +22,12 @@ Code code_of_program(const std::filesystem::path& program);
 
 // Returns the code of a submission. The program writeup_boxed compiles it in the box, and renders
 // with it. No line of it runs in this process.
-Code code_of_submission(const Options& options);
+Code code_of_submission(const Options& options, const std::string& submission,
+                        const std::string& label);
 
-// The same code in the program accuracy_boxed.
-Code accuracy_of_submission(const Options& options, const Code& code);
+// The same code in the program accuracy_boxed; or several, which it compares with the reference.
+Code accuracy_of_submission(const Options& options, const Code& code, const std::string& label);
+Code accuracy_of_several(const Options& options, const std::map<std::string, Code>& codes);
 
 // The same code in the program that shows the paths of a pixel. It is compiled only if it `is_wanted`.
 Code view_of_submission(const Options& options, const Code& code, bool is_wanted);

@@ -1,6 +1,7 @@
 #include "grader/report/read_csv.h"
 #include "pt/file.h"
 #include "writeup/figure.h"
+#include "writeup/files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,13 +87,6 @@ const json* find_curve(const json& all, const Figure& figure) {
   return nullptr;
 }
 
-void copy_file(const fs::path& from, const fs::path& folder, const std::string& name,
-               std::vector<std::string>& list) {
-  if (!fs::exists(from)) return;  // there may be no gnuplot
-  fs::copy_file(from, folder / name, fs::copy_options::overwrite_existing);
-  list.push_back(name);
-}
-
 }  // namespace
 
 Drawn draw_curve(const Plan& plan, const Figure& figure, const fs::path& folder) {
@@ -113,9 +107,9 @@ Drawn draw_curve(const Plan& plan, const Figure& figure, const fs::path& folder)
     return drawn;
   }
   const fs::path from = plan.measured().folder(measurement);
-  copy_file(from / (figure.curve + ".svg"), folder, figure.id + ".svg", drawn.charts);
-  for (const char* const ending : {".csv", ".pdf"}) {
-    copy_file(from / (figure.curve + ending), folder, figure.id + ending, drawn.tables);
+  take_file(from / (figure.curve + ".svg"), folder, figure.id + ".svg", drawn.charts);
+  for (const char* const ending : {".csv", ".pdf", ".tex"}) {
+    take_file(from / (figure.curve + ending), folder, figure.id + ending, drawn.tables);
   }
   const json& places = chart->at("lines").at(0).at("points");
   drawn.columns = {chart->at("error"), "at " + two_digits(places.front().at("place")),
@@ -209,7 +203,7 @@ Drawn draw_prices(const Plan& plan, const Figure& figure, const fs::path& folder
     return drawn;
   }
   const fs::path file = plan.measured().folder(measurements[0]) / "measure.csv";
-  copy_file(file, folder, figure.id + ".csv", drawn.tables);
+  take_file(file, folder, figure.id + ".csv", drawn.tables);
   const std::vector<Cells> rows = read_rows(file);
   drawn.columns = {"what fails", "task", "plain", "remedy", "time per call", "time × variance"};
   for (const Price& price : figure.prices) {

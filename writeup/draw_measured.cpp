@@ -1,6 +1,7 @@
 #include "grader/report/csv.h"
 #include "pt/file.h"
 #include "writeup/figure.h"
+#include "writeup/files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +32,13 @@ void take_files(const Plan& plan, const Measurement& measurement, const std::str
                 const fs::path& folder, Drawn& drawn) {
   const fs::path from = plan.measured().folder(measurement);
   const auto take = [&](const std::string& name, std::vector<std::string>& list) {
-    if (!fs::exists(from / name)) return;  // there may be no gnuplot
-    list.push_back(id + "." + name);
-    fs::copy_file(from / name, folder / list.back(), fs::copy_options::overwrite_existing);
+    take_file(from / name, folder, id + "." + name, list);
   };
   for (const std::string& name : charts) {
     take(name, drawn.charts);
-    take(fs::path(name).replace_extension("pdf").string(), drawn.tables);
+    for (const char* ending : {"pdf", "tex"}) {
+      take(fs::path(name).replace_extension(ending).string(), drawn.tables);
+    }
   }
   for (const std::string& name : tables) take(name, drawn.tables);
 }
@@ -86,14 +87,39 @@ std::vector<std::string> row_of(const json& curve, const std::string& fastest) {
   return row;
 }
 
+// The name of the chart that compares several codes.
+std::string beside_of(const json& all) {
+  std::string name;
+  for (const json& code : all.at("codes")) {
+    if (code.at("problem").get<std::string>().empty())
+      name += code.at("name").get<std::string>() + ".";
+  }
+  return name + "beside";
+}
+
 Drawn draw_converge(const Plan& plan, const Figure& figure, const fs::path& folder) {
   Drawn drawn;
   const Measurement measurement = plan.measurements(figure).at(0);
   if (!is_there(plan, measurement, figure.scenes.at(0), drawn)) return drawn;
-  take_files(plan, measurement, figure.id,
-             {"efficiency.svg", "samples.svg", "seconds.svg", "rays.svg"},
-             {"efficiency.csv", "converge.csv", "factors.csv"}, folder, drawn);
   const json all = plan.measured().load(measurement);
+  const auto take = [&](const std::string& prefix) {
+    std::vector<std::string> charts{"efficiency.svg", "samples.svg", "seconds.svg", "rays.svg"},
+        tables{"efficiency.csv", "converge.csv", "factors.csv"};
+    for (auto* names : {&charts, &tables}) {
+      for (std::string& name : *names) name.insert(0, prefix);
+    }
+    take_files(plan, measurement, figure.id, charts, tables, folder, drawn);
+  };
+  if (!all.contains("codes")) take("");
+  if (all.contains("codes"))
+    take_files(plan, measurement, figure.id, {beside_of(all) + ".svg"}, {beside_of(all) + ".csv"},
+               folder, drawn);
+  for (const json& code : all.value("codes", json::array())) {
+    take(code.at("name").get<std::string>() + ".");
+    const std::string problem = code.at("problem");
+    if (!problem.empty())
+      drawn.problems.push_back(code.at("name").get<std::string>() + ": " + problem);
+  }
   drawn.columns = {"",
                    "s = 4",
                    "16",
@@ -109,8 +135,15 @@ Drawn draw_converge(const Plan& plan, const Figure& figure, const fs::path& fold
                    "largest",
                    "samples on black"};
   for (const json& curve : all.at("curves")) {
-    drawn.rows.push_back(row_of(curve, all.at("fastest")));
+    if (!all.contains("codes")) drawn.rows.push_back(row_of(curve, all.at("fastest")));
     enter_factors(curve, all, drawn);
+  }
+  for (const json& code : all.value("codes", json::array())) {
+    if (code.at("curves").is_null()) continue;
+    for (const json& curve : code.at("curves")) {
+      drawn.rows.push_back(row_of(curve, code.at("fastest")));
+      drawn.rows.back()[0].insert(0, code.at("name").get<std::string>() + ": ");
+    }
   }
   drawn.numbers["fastest"] = all.at("curves").at(0).at("title");
   for (const json& curve : all.at("curves")) {

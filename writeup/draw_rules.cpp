@@ -100,7 +100,7 @@ std::vector<double> exceeded(std::vector<double> squares) {
 }
 
 void draw_lines(const std::vector<Line>& lines, const std::filesystem::path& folder,
-                const std::string& name) {
+                const std::string& name, const std::string& subject) {
   std::string csv = "noisier", plot, values;
   for (const Line& line : lines) csv += ',' + line.name;
   csv += '\n';
@@ -124,10 +124,15 @@ void draw_lines(const std::vector<Line>& lines, const std::filesystem::path& fol
     values += measure::under_the_pointer({data, lines[i].title, "$1", height, height, ""});
   }
   measure::draw(folder, name,
-                "set logscale xy\nset xrange [50:.01]\nset xlabel \"pixels with more noise, %\"\n"
-                "set ylabel \"noise, %\"\nset ytics add (2, 5, 20, 50)\n" +
+                "set title \"" + subject +
+                    "\" noenhanced\nset logscale xy\nset xrange [50:.01]\nset xlabel \"pixels with "
+                    "more noise, %\"\n"
+                    "set ylabel \"noise, %\"\nset ytics add (2, 5, 20, 50)\n" +
                     measure::names_beside(ends, std::max(low, high / 1e4) / 1.2, high * 1.2) +
-                    plot + values + '\n');
+                    plot + values + '\n',
+                "The noise of single pixels that a part of all pixels exceeds, by rules for "
+                "adaptive sampling that take as many samples: " +
+                    subject + ".");
 }
 
 Line enter(const Rule& rule, const std::vector<double>& samples, const std::vector<Pixel>& pixels,
@@ -192,14 +197,15 @@ Drawn draw_rules(const Plan& plan, const Figure& figure, const std::filesystem::
              beside(squares, uniform.film.width)}}) {
     lines.push_back(enter(rule, samples_of(rule.weights, average, settings), pixels, drawn));
   }
-  draw_lines(lines, folder, figure.id + "_noise");
-  std::string csv = "number,value\n";
-  for (const auto& [name, value] : drawn.numbers) csv += name + ',' + value + '\n';
-  drawn.tables = {figure.id + ".csv", figure.id + "_noise.csv"};
+  const measure::Spec spec = plan.uniform(picture).spec;
+  draw_lines(lines, folder, figure.id + "_noise",
+             fmt::format("{}, {} x {} pixels, l = {}, m = {}, {} samples in the mean",
+                         plan.scenes().short_name(picture.scene), spec.width, spec.height,
+                         spec.path.light_samples, spec.path.to, drawn.numbers["samples"]));
+  drawn.tables = {figure.id + "_noise.csv"};
   if (std::filesystem::exists(folder / (figure.id + "_noise.svg"))) {
     drawn.charts = {figure.id + "_noise.svg"};
   }
-  pt::write_file(folder / drawn.tables[0], csv);
   return drawn;
 }
 

@@ -99,4 +99,19 @@ void write_map(const fs::path& name, const std::vector<float>& values, int width
   write_script(name, "map", values);
 }
 
+void take_file(const fs::path& from, const fs::path& folder, const std::string& name,
+               std::vector<std::string>& list) {
+  if (!fs::exists(from)) return;
+  if (from.extension() == ".tex") {
+    const auto pdf = [](const fs::path& file) { return "{" + file.stem().string() + ".pdf}"; };
+    std::string text = pt::read_file(from);
+    const std::size_t at = text.find(pdf(from));
+    if (at != text.npos) text.replace(at, pdf(from).size(), pdf(name));
+    pt::write_file(folder / name, text);
+  } else {
+    fs::copy_file(from, folder / name, fs::copy_options::overwrite_existing);
+  }
+  list.push_back(name);
+}
+
 }  // namespace writeup

@@ -4,6 +4,7 @@
 #include "grader/base/sha256.h"
 #include "grader/service/process/run_command.h"
 #include "grader/tasks.h"
+#include "measure/charts/labels.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
 #include "pt/printable.h"
@@ -38,8 +39,8 @@ std::optional<Code> code_of_stability(const Options& options) {
   if (options.stability.empty() || !std::filesystem::exists(options.stability)) return {};
   Code code;
   code.command = {options.stability};
-  if (!options.submission.empty()) {
-    code.command.insert(code.command.end(), {"--submission", options.submission});
+  if (is_of_submission(options)) {
+    code.command.insert(code.command.end(), {"--submission", options.submissions[0]});
   } else if (options.from.find("student") != std::string::npos) {
     code.command.insert(code.command.end(), {"--submission", "student"});
   }
@@ -97,7 +98,7 @@ std::set<std::string> mistakes_in(const Catalogue& catalogue) {
 std::optional<Code> code_of_view(const Options& options, const Code& chosen,
                                  const std::vector<const Figure*>& figures) {
   if (!fs::exists(options.view) || !fs::exists(options.view_worker)) return {};
-  if (!options.submission.empty()) {
+  if (is_of_submission(options)) {
     const bool is_wanted = std::ranges::any_of(figures, [](const Figure* figure) {
       return figure->kind == "path" || figure->kind == "ray";
     });
@@ -111,15 +112,24 @@ std::optional<Code> code_of_view(const Options& options, const Code& chosen,
 Codes read_codes(const Options& options, const Catalogue& catalogue,
                  const std::vector<const Figure*>& figures) {
   Codes codes;
-  codes.chosen =
-      options.submission.empty() ? code_of_program(options.renderer) : code_of_submission(options);
-  codes.reference_rays = options.submission.empty() && traces_with_reference(options.from);
+  const bool is_submission = is_of_submission(options);
+  const std::vector<std::string> labels = measure::labels_of(options.submissions);
+  codes.chosen = is_submission ? code_of_submission(options, options.submissions[0], labels[0])
+                               : code_of_program(options.renderer);
+  codes.reference_rays = !is_submission && traces_with_reference(options.from);
   if (!options.accuracy.empty()) {
-    codes.accuracy = options.submission.empty() ? code_of_program(options.accuracy)
-                                                : accuracy_of_submission(options, codes.chosen);
+    codes.accuracy = is_submission ? accuracy_of_submission(options, codes.chosen, labels[0])
+                                   : code_of_program(options.accuracy);
+  }
+  for (std::size_t i = 0; i < labels.size() && !is_submission; ++i) {
+    codes.others[labels[i]] = code_of_submission(options, options.submissions[i], labels[i]);
+  }
+  if (codes.accuracy && !codes.others.empty()) {
+    codes.several = accuracy_of_several(options, codes.others);
+    for (const auto& [task, hash] : codes.chosen.hash) codes.several->hash[task] += hash;
   }
   // Errors of other code are measured against the reference, if its program is there.
-  const bool is_reference = options.submission.empty() && options.from == "reference";
+  const bool is_reference = !is_submission && options.from == "reference";
   if (codes.accuracy && !is_reference) {
     const fs::path program = fs::path(options.accuracy).parent_path() / "ladder_rung.reference";
     if (fs::exists(program)) {
@@ -137,6 +147,7 @@ Codes read_codes(const Options& options, const Catalogue& catalogue,
     const fs::path program = folder / ("writeup_render." + wrong);
     if (fs::exists(program)) codes.mistakes[wrong] = code_of_program(program);
   }
+  for (const auto& [label, code] : codes.others) codes.mistakes[other_code(label)] = code;
   return codes;
 }
 
@@ -144,9 +155,8 @@ Codes read_codes(const Options& options, const Catalogue& catalogue,
 std::string as_typed(const Options& options) {
   std::string words = "./run writeup";
   if (options.draft) words += " --quality draft";
-  if (!options.submission.empty())
-    words += " --submission " + options.submission;
-  else if (options.from != "reference")
+  for (const std::string& submission : options.submissions) words += " --submission " + submission;
+  if (options.submissions.empty() && options.from != "reference")
     words += " --from " + options.from;
   if (!options.scenes.empty()) words += " --scenes " + options.scenes;
   return words;
@@ -218,7 +228,9 @@ bool report(const std::vector<const Figure*>& figures, const std::map<std::strin
 }
 
 void make_absolute(Options& options) {
-  for (std::string* path : {&options.scenes, &options.submission, &options.out, &options.texts}) {
+  std::vector<std::string*> paths{&options.scenes, &options.out, &options.texts};
+  for (std::string& submission : options.submissions) paths.push_back(&submission);
+  for (std::string* path : paths) {
     if (!path->empty()) *path = fs::absolute(*path).lexically_normal().string();
   }
   fs::current_path(options.root);
@@ -261,8 +273,11 @@ int run(Options options) {
   const std::string command = as_typed(options);
   make_absolute(options);
   const fs::path work = options.work;
-  const Catalogue catalogue =
+  Catalogue catalogue =
       read_catalogue(options.handbook ? "writeup/handbook.json" : "writeup/figures.json");
+  if (options.submissions.size() > 1) {
+    add_codes(catalogue, measure::labels_of(options.submissions));
+  }
   const std::vector<const Figure*> figures = figures_meant(catalogue, options.what);
   if (!options.list) lock(work);
   const Codes codes = read_codes(options, catalogue, figures);

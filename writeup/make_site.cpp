@@ -3,6 +3,8 @@
 #include "grader/base/files.h"
 #include "grader/base/parallel.h"
 #include "grader/base/sha256.h"
+#include "grader/report/csv.h"
+#include "measure/charts/gnuplot.h"
 #include "pt/error.h"
 #include "pt/file.h"
 #include "pt/render/progress.h"
@@ -14,6 +16,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace writeup {
 
@@ -105,6 +108,34 @@ Drawn draw(const Plan& plan, const Figure& figure, const fs::path& folder) {
   return draw_measured(plan, figure, folder);
 }
 
+// The figure's pictures for LaTeX, and its numbers as the texts name them.
+void add_for_papers(const Plan& plan, const Figure& figure, const fs::path& folder, Drawn& drawn) {
+  std::vector<std::string> files;
+  std::string caption = figure.title + ".";
+  std::set<std::string> scenes;
+  for (const Picture& picture : figure.pictures) {
+    scenes.insert(plan.scenes().description(picture.scene));
+  }
+  for (const Shown& shown : drawn.pictures) {
+    if (shown.file.empty()) continue;
+    files.push_back(shown.file + ".png");
+    caption += fmt::format("{} {} ({})", files.size() == 1 ? " From left to right:" : ";",
+                           shown.label, shown.facts);
+  }
+  if (!files.empty()) {
+    caption += fmt::format(". {}", fmt::join(scenes, "; "));
+    pt::write_file(folder / (figure.id + ".tex"), measure::latex_figure(files, caption + "."));
+    drawn.tables.push_back(figure.id + ".tex");
+  }
+  if (drawn.numbers.empty()) return;
+  std::string csv = "number,value\n";
+  for (const auto& [name, value] : drawn.numbers) {
+    csv += name + ',' + grader::report::csv_field(value) + '\n';
+  }
+  pt::write_file(folder / (figure.id + ".numbers.csv"), csv);
+  drawn.tables.push_back(figure.id + ".numbers.csv");
+}
+
 Drawn drawn_figure(const Plan& plan, const Figure& figure, const fs::path& folder) {
   const fs::path kept = folder / "figure.json";
   if (fs::exists(kept)) {
@@ -113,6 +144,7 @@ Drawn drawn_figure(const Plan& plan, const Figure& figure, const fs::path& folde
   fs::create_directories(folder);
   Drawn drawn = draw(plan, figure, folder);
   drawn.seconds = plan.seconds(figure);
+  add_for_papers(plan, figure, folder, drawn);
   pt::write_file(kept, nlohmann::json(drawn).dump());
   return drawn;
 }

@@ -32,9 +32,11 @@ void describe(CLI::App& app, Options& options) {
       ->type_name("full|draft");
   app.add_option("--scenes", options.scenes, "Folder of the course's .dae files")
       ->check(CLI::ExistingDirectory);
-  app.add_option(
-         "--submission", options.submission,
-         "Somebody else's code, in the box: a folder, an archive, or a clone of CS184's skeleton")
+  app.add_option("--submission", options.submissions,
+                 "Somebody else's code, in the box: a folder, an archive, or a clone of CS184's "
+                 "skeleton; of "
+                 "several, up to four, pictures beside the reference's")
+      ->allow_extra_args(false)
       ->check(CLI::ExistingPath);
   app.add_option("--out", options.out, "Folder for the pages");
   app.add_option("--text", options.texts, "Folder of the texts, part1.md and so on")

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <regex>
 #include <set>
 
 #include <fmt/chrono.h>
@@ -141,9 +142,24 @@ Page make_page(const Site& site, const std::string& name, const fs::path& folder
   return page;
 }
 
+// "To cite: ...", by CITATION.cff, which a handout does not have.
+std::string citation() {
+  const fs::path file = "CITATION.cff";
+  if (!fs::exists(file)) return "";
+  const std::string text = pt::read_file(file, kMaxPage);
+  const auto field = [&](const char* name) {
+    const std::regex line(fmt::format("\n *(?:- )?{}: \"?([^\"\n]*)", name));
+    std::smatch found;
+    return std::regex_search(text, found, line) ? found.str(1) : std::string();
+  };
+  return fmt::format(" · To cite: {}, {}, version {} (CITATION.cff)", field("name"), field("title"),
+                     field("version"));
+}
+
 // The command, who ran it where, and the date of the newest figure.
 std::string foot(const Site& site, const fs::path& folder) {
-  std::string text = "Made by: " + site.command + (site.by.empty() ? "" : " · " + site.by);
+  std::string text =
+      "Made by: " + site.command + (site.by.empty() ? "" : " · " + site.by) + citation();
   if (!fs::exists(folder / "figures")) return text;
   constexpr fs::file_time_type kNever = fs::file_time_type::min();
   fs::file_time_type newest = kNever;

@@ -222,6 +222,7 @@ std::vector<Measurement> Plan::of_scenes(const Figure& figure) const {
   for (const std::string& scene : figure.scenes) {
     Measurement each{"converge", scenes_.path(scene), {}, seconds, nullptr, {}};
     if (codes_.accuracy) each.code = &*codes_.accuracy;
+    if (codes_.several && figure.kind == "converge") each.code = &*codes_.several;
     each.options = {"--lambertian",
                     "--seconds",
                     fmt::format("{:g}", seconds),

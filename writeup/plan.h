@@ -22,6 +22,8 @@ struct Codes {
   std::optional<Code> stability;         // the program that measures curves; hash by task
   std::optional<Code> measure;           // the program that takes the time of tasks
   std::optional<Code> view;              // the program that writes what the paths of a pixel did
+  std::map<std::string, Code> others;    // submissions that are shown beside it, by label
+  std::optional<Code> several;           // the program that measures all of them
   bool reference_rays = false;           // `chosen` traces with the reference's tasks
   std::map<std::string, Code> mistakes;  // by wrong solution; empty in the learners' edition
 };

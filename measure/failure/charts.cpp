@@ -277,7 +277,8 @@ void draw_chart(const Charts& charts, const Chart& chart, const std::vector<std:
     plot += fmt::format("NaN with boxes fs solid lc rgb \"{}\" title \"{}\", ", color_of(promised),
                         promised.bonus ? "promised by a bonus" : "promised by the contract");
   }
-  draw(folder, name, axes(chart, range, keys) + plot.substr(0, plot.size() - 2) + "\n");
+  draw(folder, name, axes(chart, range, keys) + plot.substr(0, plot.size() - 2) + "\n",
+       fmt::format("{}: {}, by {}. {}", chart.title, error_text(chart), chart.input, chart.source));
 }
 
 }  // namespace

@@ -413,6 +413,49 @@ TEST_F(MadeUp, methods_are_compared_with_the_fastest) {
   EXPECT_EQ(got.numbers.at("h1.error"), "50");
   EXPECT_FALSE(got.numbers.contains("h1.beside.l1.time"));
   EXPECT_EQ(got.numbers.at("l1.beside.l1.time"), "1.5");
+
+  // Several codes: the table has a line of each, with its name, and the numbers are those of the first.
+  json several = all;
+  const auto code = [&](const char* name, const json& curves, const char* problem) {
+    return json{{"name", name}, {"fastest", "l1"}, {"curves", curves}, {"problem", problem}};
+  };
+  several["codes"] = {code("reference", all.at("curves"), ""),
+                      code("anna", json::array({curve("l1", false)}), ""),
+                      code("ben", nullptr, "it crashed")};
+  const Drawn beside = drawn(figure, "converge.json", several.dump(), draw_measured);
+  EXPECT_EQ(beside.problems, std::vector<std::string>{"ben: it crashed"});
+  ASSERT_EQ(beside.rows.size(), 3u);
+  EXPECT_EQ(beside.rows[0][0], "reference: l1");
+  EXPECT_EQ(beside.rows[2][0], "anna: l1");
+  EXPECT_EQ(beside.numbers, got.numbers);
+}
+
+TEST(Catalogue, has_each_picture_once_more_by_each_submission) {
+  Catalogue catalogue;
+  Figure figure;
+  figure.id = "direct";
+  Picture few, many, wrong;
+  few.id = few.label = "s16";
+  many.id = many.label = "same_time";
+  many.time_of = "s16";
+  wrong.id = wrong.label = "bug";
+  wrong.mistake = "bsdf_applied_twice";
+  figure.pictures = {few, many, wrong};
+  figure.goldens = {few, few};
+  catalogue.figures = {figure};
+  add_codes(catalogue, {"anna", "ben"});
+  const Figure& all = catalogue.figures[0];
+  std::vector<std::string> labels;
+  for (const Picture& picture : all.pictures) labels.push_back(picture.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"reference: s16", "anna: s16", "ben: s16",
+                                              "reference: same_time", "anna: same_time",
+                                              "ben: same_time", "bug"}));
+  EXPECT_EQ(all.pictures[5].id, "same_time_ben");
+  EXPECT_EQ(all.pictures[5].mistake, other_code("ben"));
+  EXPECT_EQ(all.pictures[5].time_of, "s16_ben") << "the time of the same code";
+  EXPECT_EQ(all.pictures[3].time_of, "s16");
+  EXPECT_NE(all.source, figure.source) << "it is drawn anew";
+  EXPECT_EQ(all.goldens.size(), 2u);
 }
 
 // .1 ms per pixel without a tree, .01 ms with it: 480 x 360 pixels take 17.28 s and 1.728 s.
