@@ -28,7 +28,7 @@ set yrange [0:*]
 set y2range [0:*]
 set y2tics
 set ytics nomirror
-set xlabel "light samples, l"
+set xlabel "light samples, l" offset 0,.5
 set ylabel "relative variance of a camera sample"
 set y2label "microseconds per camera sample"
 set key below samplen 2

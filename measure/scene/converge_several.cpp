@@ -84,14 +84,14 @@ std::string table(const std::vector<const Measured*>& codes, const Measured& fir
   return text + "\n";
 }
 
-const char* const kChart = R"gp(set terminal svg size 860,520 font "sans-serif,13"
-set title "{}, at most {} bounces\nsurvival .7 where nothing else is said; {}" noenhanced
+const char* const kChart =
+    R"gp(set title "{}, at most {} bounces\nsurvival .7 where nothing else is said; {}" noenhanced
 set logscale y
 set ylabel "efficiency: 1 / (time x error^2), beside {}"
-set xtics rotate by -35 ({})
+set xtics rotate by -60 font "sans-serif,10" ({})
 set xrange [-.5:{}]
-set bmargin 10
-set rmargin 12
+set bmargin 11
+set rmargin 8
 set key top left
 plot 1 lc rgb "#000000" lw 2 title "{}"{}
 )gp";

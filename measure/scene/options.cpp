@@ -85,7 +85,7 @@ void describe(CLI::App& app, Options& options, std::vector<int>& size) {
       ->default_str("wide");
   app.add_flag("--lambertian", options.lambertian,
                "Treat mirrors, glass and the like as diffuse, albedo 0.5");
-  app.add_option("--seconds", options.seconds, "How long to measure each code; more is more exact")
+  app.add_option("--seconds", options.seconds, "How long to measure; more is more exact")
       ->check(CLI::Range(0.1, 36000.0))
       ->capture_default_str();
   app.add_option("--out", options.out, "A folder for charts and their numbers; default: none");
