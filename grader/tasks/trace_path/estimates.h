@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/check/language/fail.h"
 #include "grader/check/language/property.h"
 #include "grader/check/language/repeat.h"
 #include "grader/tasks/trace_path/inputs.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -41,11 +43,40 @@ inline double error_by_chance(const Case& c, const Mean& got, double mean_square
   return kStandardErrors * more;
 }
 
-inline void expect_mean_of(const Case& c, const std::vector<Rgb>& found, double mean_square = 1) {
+inline void expect_right_mean(const Case& c, const std::vector<Rgb>& found, double mean_square) {
   const Mean got = mean_of(found);
   const int from = std::max(1, c.settings.from), to = c.settings.to;
   expect_mean("the mean", got, c.room.sum(from, to), allowed_noise(c),
               c.room.precision(from, to) + error_by_chance(c, got, mean_square));
+}
+
+// Says of a wrong sum of bounces how wrong each of them is alone. Empty if there is one only, or so many that each gets few calls.
+inline std::string each_bounce_alone(Case c, int calls) {
+  constexpr int kMostBounces = 4;
+  const int from = std::max(1, c.settings.from), to = c.settings.to;
+  if (to <= from || to - from >= kMostBounces) return "";
+  std::string said;
+  for (int k = from; k <= to; ++k) {
+    c.settings.from = c.settings.to = k;
+    try {
+      const Rgb got = mean_of(estimates(c, calls / (to - from + 1))).value;
+      said += fmt::format("{} bounce {} is {:.2f} times", said.empty() ? "; alone," : ",", k,
+                          max_channel(got) / max_channel(c.room.sum(k, k)));
+    } catch (const CaseFailed&) {
+      return "";  // a crash, for example
+    }
+  }
+  return said + " the expected value";
+}
+
+inline void expect_mean_of(const Case& c, const std::vector<Rgb>& found, double mean_square = 1) {
+  try {
+    expect_right_mean(c, found, mean_square);
+  } catch (CaseFailed& failed) {
+    std::string& off = failed.failure.off_by;
+    if (!off.empty()) off += each_bounce_alone(c, static_cast<int>(found.size()));
+    throw;
+  }
 }
 
 inline void expect_estimate(const Case& c, int calls = kCalls) {
