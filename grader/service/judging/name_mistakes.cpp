@@ -5,6 +5,7 @@
 #include "grader/service/judging/ask_battery.h"
 #include "pt/file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -79,8 +80,14 @@ void name_mistakes(const build::Config& config, const build::Builder& builder,
         promise.likeness = found->second;
     }
     if (mistakes::shows_nothing(evidence->answers)) return;
-    results::Mistake mistake = described(mistakes::name_by_battery(known, *evidence));
-    if (mistake.empty()) return;
+    const auto found = mistakes::name_by_battery(known, *evidence);
+    if (found.empty()) return;
+    for (results::PromiseResult& promise : failing[i]->result.promises) {
+      const bool explained = std::ranges::any_of(
+          found, [&](const auto* mistake) { return mistake->breaks == promise.name; });
+      promise.likeness = explained ? 1 : 0;
+    }
+    results::Mistake mistake = described(found);
     mistake.always_the_same = mistakes::always_the_same(evidence->answers);
     const std::lock_guard lock(mutex);
     failing[i]->result.mistake = mistake;
