@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 // The picture is judged with a camera at the world's origin that is not turned. Differences between
 // rays are judged relative to the task's own rays. The promises starts_at_the_camera and
 // turns_with_the_camera judge cameras that are moved and turned.
@@ -86,9 +88,16 @@ void expect_half_angle(const std::string& edge, double fov_deg, double edge_at, 
                        double size) {
   const double right = size / 2, precise = tolerance(size, {right, 0});
   const double slack = (precise + std::min(std::abs(centre_at), precise)) / (1 + right * right);
-  expect_near("degrees from the centre of the picture to its " + edge + " edge",
-              std::atan(std::abs(edge_at - centre_at)) / radians(1), fov_deg / 2,
-              slack / radians(1));
+  const double tangent = std::abs(edge_at - centre_at), angle = std::atan(tangent) / radians(1);
+  try {
+    expect_near("degrees from the centre of the picture to its " + edge + " edge", angle,
+                fov_deg / 2, slack / radians(1));
+  } catch (CaseFailed& failed) {
+    failed.failure.off_by +=
+        fmt::format(" (the angle is {:.4g} times the expected one, its tangent {:.4g} times)",
+                    angle / (fov_deg / 2), tangent / right);
+    throw;
+  }
 }
 
 PROMISE(camera_ray, fills_the_field_of_view) {
