@@ -322,9 +322,9 @@ int SceneMaker::material(Rgb albedo, Rgb emission) {
 // If there are many lights or surfaces, only the first few are listed.
 std::string SceneMaker::text() const {
   std::string text = fmt::format(
-      "here the point is at (0, 0, 0) and its normal along z; the test scales this by {}, rotates "
-      "it, and moves it by {}\n",
-      brief(pose_.size), brief(pose_.shift));
+      "here the point is at (0, 0, 0) and its normal along z; the test scales this by {}, turns z "
+      "to {}, and moves it by {}\n",
+      brief(pose_.size), brief(pose_.direction({0, 0, 1})), brief(pose_.shift));
   for (const std::vector<std::string>* list : {&lights_, &surfaces_}) {
     const std::size_t told = list->size() > kMaxTold + 1 ? kMaxTold : list->size();
     for (std::size_t i = 0; i < told; ++i) text += (*list)[i] + "\n";

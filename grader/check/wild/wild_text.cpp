@@ -57,10 +57,10 @@ std::string text_of(const WildScene& scene) {
   std::string text = "here the point is at (0, 0, 0) and its normal along z";
   const bool is_moved = scene.size != 1 || length(scene.away) > 0;
   if (is_moved) {
-    text += fmt::format("; the test scales this by {}, rotates it, and moves it by {}",
-                        brief(scene.size), brief(scene.size * scene.away));
+    text += fmt::format("; the test scales this by {}, turns z to {}, and moves it by {}",
+                        brief(scene.size), brief(scene.up), brief(scene.size * scene.away));
   } else if (scene.up.z != 1) {
-    text += "; the test rotates this";
+    text += "; the test turns z to " + brief(scene.up);
   }
   text += fmt::format("\nthe point is on a triangle of side {}", brief(scene.side));
   if (scene.true_normal.z != 1)
