@@ -67,6 +67,11 @@ TEST_P(FourBugs, is_found_by_a_property_in_its_own_task_only) {
       ASSERT_FALSE(promise.is_null());
       EXPECT_EQ(promise.at("held"), false);
       EXPECT_FALSE(promise.at("failures").at(0).at("input").empty());
+      // A mistake that has a name is shown by its own promise.
+      EXPECT_EQ(task.at("mistake").at("name"), GetParam().mistake);
+      for (const json& each : task.at("promises")) {
+        EXPECT_EQ(each.at("likeness"), each == promise ? 1 : 0) << each.at("name");
+      }
     } else {
       EXPECT_TRUE(task.at("state") == "pass" || waits_for(task, GetParam().task)) << task.dump(1);
     }
