@@ -13,9 +13,15 @@ namespace grader::base {
 
 Pipe make_pipe() {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    throw pt::Error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+#ifdef __APPLE__
+  const bool is_made = pipe(ends) == 0;
+  if (is_made) {
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
   }
+#else
+  const bool is_made = pipe2(ends, O_CLOEXEC) == 0;
+#endif
+  if (!is_made) throw pt::Error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
