@@ -51,8 +51,10 @@ firstlight_script_test(site rest site/site.sh ARGUMENTS $<TARGET_FILE:live_calls
   NEEDS live_calls site grade graded_programs grade_class view view_worker.reference)
 firstlight_script_test(autograder_made rest commands/autograder.sh ARGUMENTS ${PROJECT_BINARY_DIR} made NEEDS grade graded)
 firstlight_script_test(workflows rest commands/workflows.sh ${build} NEEDS grade graded)
-# For Windows, where its compiler is installed.
-firstlight_script_test(windows rest rules/windows.py ${build} NEEDS render)
+# For Windows and macOS, where their compilers are installed.
+foreach(system windows macos)
+  firstlight_script_test(${system} rest rules/other_systems.py ARGUMENTS ${system} ${PROJECT_BINARY_DIR} NEEDS render check.hit_sphere.student)
+endforeach()
 firstlight_script_test(release rest commands/release.sh ${build} NEEDS compiled graded reference_objects)
 firstlight_script_test(resume rest commands/resume.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded grade_class)
 firstlight_script_test(faults rest commands/faults.sh ${build} NEEDS grade graded watch hint)

@@ -26,6 +26,16 @@ refuses "--html cannot be used with --from" grade hit_triangle --from student --
 refuses "there is no 'nosuch'; ./run help lists the commands" nosuch
 refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
+# Where there is no Linux, learners' code is tested without a box, and the commands that judge are not there.
+mkdir "$folder/other_system"
+printf '#!/bin/sh\necho Darwin\n' >"$folder/other_system/uname"
+chmod +x "$folder/other_system/uname"
+for command in watch view "grade-class docs" hint; do
+  # shellcheck disable=SC2086
+  PATH=$folder/other_system:$PATH refuses "'${command% *}' needs Linux, or a container" $command
+done
+PATH=$folder/other_system:$PATH refuses "--html cannot be used with --from" grade hit_triangle --html page.html
+PATH=$folder/other_system:$PATH expect 0 'Firstlight 0' ./run --version
 # An edition needs minutes of compiling, so what is wrong is said before.
 mkdir "$folder/no_ninja"
 printf '#!/bin/sh\nexit 1\n' | tee "$folder/no_ninja/cmake" >"$folder/no_ninja/ninja"

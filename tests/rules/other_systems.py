@@ -1,25 +1,32 @@
 #!/usr/bin/env python3
-"""Checks with Debian's mingw g++ that the render program compiles for Windows, and compiles and links it where tinyxml2's source and a
-zlib for Windows are found. Nothing is downloaded: without the compiler the test is skipped (77).
-windows.py BUILD: the build folder whose render program is taken; its compile commands say how each file is compiled.
-FIRSTLIGHT_TINYXML2: the file tinyxml2.cpp (apt-get source tinyxml2). FIRSTLIGHT_WINDOWS: where render.exe is kept."""
+"""Checks that the render program compiles for another system, and for macOS the promises of a task, which run in its process; compiles and
+links the render program where the sources of its libraries are named. Nothing is downloaded: without the compiler the test is skipped (77).
+other_systems.py windows | macos BUILD: the build folder whose programs are taken; its compile commands say how each file is compiled.
+Windows: Debian's mingw g++. macOS: zig (`zig c++`, in the path; its libc++ is older than Xcode's).
+FIRSTLIGHT_SOURCES: the sources of libraries, with spaces between: tinyxml2.cpp (apt-get source tinyxml2), for macOS also zlib's *.c.
+FIRSTLIGHT_LINKED: the folder where the program is kept."""
 import concurrent.futures, json, os, pathlib, shlex, shutil, subprocess, sys, tempfile
 
-build = pathlib.Path(sys.argv[1]).resolve()
-compiler = shutil.which("x86_64-w64-mingw32-g++-posix")
-if compiler is None:
-    print("SKIPPED: the compiler for Windows is missing (apt-get install g++-mingw-w64-x86-64-posix libz-mingw-w64-dev)")
+system, build = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+compiler, program, package = {
+    "windows": (["x86_64-w64-mingw32-g++-posix"], "render.exe", "apt-get install g++-mingw-w64-x86-64-posix libz-mingw-w64-dev"),
+    "macos": (["zig", "c++", "-target", "aarch64-macos"], "render", "zig 0.11 or newer"),
+}[system]
+if shutil.which(compiler[0]) is None:
+    print(f"SKIPPED: the compiler for {system} is missing ({package})")
     sys.exit(77)
 folder = pathlib.Path(tempfile.mkdtemp())
 
 # The headers of libraries, without those of Linux beside them.
 headers = folder / "headers"
 headers.mkdir()
-for name in ("fmt", "CLI", "stb", "tinyxml2.h", "tinyexr.h"):
+for name in ("fmt", "CLI", "stb", "tinyxml2.h", "tinyexr.h", "nlohmann", "gtest", "rapidcheck", "rapidcheck.h"):
     (headers / name).symlink_to(pathlib.Path("/usr/include") / name)
 (folder / "tinyexr.cpp").write_text("#include <algorithm>\n#define TINYEXR_IMPLEMENTATION\n#include <tinyexr.h>\n")
-tinyxml2 = os.environ.get("FIRSTLIGHT_TINYXML2", "")
+sources = os.environ.get("FIRSTLIGHT_SOURCES", "").split()
 common = ["-isystem", str(headers), "-DFMT_HEADER_ONLY", "-O1"]
+# A Mac has no kernels of x86-64.
+other_machine = ("-DPT_X86_KERNELS", "-march=x86-64-v2", "-march=x86-64-v3", "-march=x86-64-v4") if system == "macos" else ()
 
 
 def words(command):
@@ -29,38 +36,46 @@ def words(command):
         word = all_words.pop(0)
         if word in ("-o", "-c", "-include", "-isystem", "-MF", "-MT"):
             all_words.pop(0)
-        elif word.startswith(("-I", "-D", "-std", "-f", "-m")) and word not in ("-flto=auto", "-DTINYXML2_IMPORT"):
+        elif word.startswith(("-I", "-D", "-std", "-f", "-m")) and word not in ("-flto=auto", "-DTINYXML2_IMPORT", *other_machine):
             kept.append(word)
     return kept
 
 
 def compiled(number, source, flags):
     target = folder / f"{number}.o"
-    what = ["-c", "-o", target] if tinyxml2 else ["-fsyntax-only"]
-    done = subprocess.run([compiler, *flags, *common, *what, source], cwd=build, capture_output=True, text=True)
-    return target, done.stderr if done.returncode else ""
+    what = ["-c", "-o", target] if sources else ["-fsyntax-only"]
+    done = subprocess.run([*compiler, *flags, *common, *what, source], cwd=build, capture_output=True, text=True)
+    return target, (done.stderr or "it cannot be run") if done.returncode else ""
 
 
-asked = subprocess.run(["ninja", "-C", build, "-t", "inputs", "pt/render"], capture_output=True, text=True, check=True)
-objects = {line.strip() for line in asked.stdout.splitlines() if line.endswith(".o")}
-commands = json.loads((build / "compile_commands.json").read_text())
-jobs = [(each["file"], words(each["command"])) for each in commands
-        if shlex.split(each["command"])[shlex.split(each["command"]).index("-o") + 1] in objects]
+def objects_of(*targets):
+    asked = subprocess.run(["ninja", "-C", build, "-t", "inputs", *targets], capture_output=True, text=True, check=True)
+    return {line.strip() for line in asked.stdout.splitlines() if line.strip().endswith(".o")}
+
+
+linked = objects_of("pt/render")
+objects = linked | (objects_of("grader/check.hit_sphere.student") if system == "macos" else set())
+commands = [(each["file"], shlex.split(each["command"])) for each in json.loads((build / "compile_commands.json").read_text())]
+jobs = [(file, words(shlex.join(command)), command[command.index("-o") + 1] in linked) for file, command in commands
+        if command[command.index("-o") + 1] in objects and not (other_machine and "/kernel_v" in file)]
 assert len(jobs) > 25, f"the render program has only {len(jobs)} files"
-if tinyxml2:
-    jobs += [(tinyxml2, []), (folder / "tinyexr.cpp", ["-w"])]
+if sources:
+    near = [word for source in sources for word in ("-isystem", str(pathlib.Path(source).parent))]
+    jobs += [(source, [*near, "-w", *(["-x", "c"] if source.endswith(".c") else [])], True) for source in (*sources, str(folder / "tinyexr.cpp"))]
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-    results = list(pool.map(compiled, range(len(jobs)), *zip(*jobs)))
-failed = [(source, text) for (source, _), (_, text) in zip(jobs, results) if text]
+    results = list(pool.map(compiled, range(len(jobs)), *list(zip(*jobs))[:2]))
+failed = [(source, text) for (source, *_), (_, text) in zip(jobs, results) if text]
 for source, text in failed:
-    print(f"FAILED: {source} does not compile for Windows:\n{text}")
+    print(f"FAILED: {source} does not compile for {system}:\n{text}")
 status = 1 if failed else 0
-if not failed and tinyxml2:
-    target = pathlib.Path(os.environ.get("FIRSTLIGHT_WINDOWS", folder)) / "render.exe"
-    linked = subprocess.run([compiler, "-static", *(str(each) for each, _ in results), "-lz", "-o", target], capture_output=True, text=True)
-    status = linked.returncode
-    print(linked.stderr or f"{len(jobs)} files are compiled and linked: {target.stat().st_size >> 10} kB")
+if not failed and sources:
+    target = pathlib.Path(os.environ.get("FIRSTLIGHT_LINKED", folder)) / program
+    parts = [str(each) for (*_, is_linked), (each, _) in zip(jobs, results) if is_linked]
+    done = subprocess.run([*compiler, *(["-static"] if system == "windows" else []), *parts, *(["-lz"] if system == "windows" else []),
+                           "-o", target], capture_output=True, text=True)
+    status = done.returncode
+    print(done.stderr or f"{len(jobs)} files are compiled, and {len(parts)} linked: {target.stat().st_size >> 10} kB")
 elif not failed:
-    print(f"{len(jobs)} files are compiled; they are not linked, because FIRSTLIGHT_TINYXML2 does not name tinyxml2.cpp")
+    print(f"{len(jobs)} files are compiled; they are not linked, because FIRSTLIGHT_SOURCES names no sources of libraries")
 shutil.rmtree(folder)
 sys.exit(1 if status else 0)
