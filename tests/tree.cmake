@@ -39,7 +39,7 @@ firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade gra
 # The functions of the live figures, for this machine: their hit_box and hit_sphere count calls (site/live/recorded.cpp).
 file(GLOB live ${PROJECT_SOURCE_DIR}/site/live/*.cpp)
 add_executable(live_calls EXCLUDE_FROM_ALL site/calls.cpp ${live})
-target_link_libraries(live_calls PRIVATE firstlight_warnings pt_scene radiance.path nlohmann_json::nlohmann_json)
+target_link_libraries(live_calls PRIVATE firstlight_warnings radiance.path nlohmann_json::nlohmann_json)
 set_target_properties(live_calls PROPERTIES ENABLE_EXPORTS ON)
 set(own hit_box hit_sphere)
 foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
