@@ -8,13 +8,16 @@
 #include "measure/scene/rung.h"
 #include "pt/end_of_program.h"
 #include "pt/error.h"
+#include "pt/image/film.h"
 #include "pt/image/image_io.h"
 #include "pt/math/rgb.h"
 #include "pt/render/darkness.h"
 #include "pt/render/options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <random>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,39 +39,59 @@ std::vector<std::string> unwritten_and_needed(pt::Engine engine) {
   return tasks;
 }
 
-// The luminances of the measured pixels in a picture of a file.
-std::vector<double> pixels_of(const std::string& file, const Options& options) {
+// The measured pixels of a right picture: their luminances, and the standard errors where the file has variances.
+struct Golden {
+  std::vector<double> mean, error;
+};
+
+Golden golden_of(const std::string& file, const Options& options) {
   if (!pt::is_exr(file)) {
     throw pt::Error("--golden " + file + " is not an EXR: ./run render -f NAME.exr makes one");
   }
-  const pt::Image image = pt::read_image(file);
-  if (image.width != options.width || image.height != options.height) {
+  const pt::Film film = pt::read_exr(file);
+  if (film.width != options.width || film.height != options.height) {
     throw pt::Error(fmt::format("--golden {} has {} x {} pixels: give -r {} {} too", file,
-                                image.width, image.height, image.width, image.height));
+                                film.width, film.height, film.width, film.height));
   }
-  std::vector<double> all;
+  Golden golden;
   for (const PixelAt& at :
        spread_pixels(options.width, options.height, options.pixels, options.seed)) {
     // Files have the top row first.
-    const int row = image.height - 1 - at.y;
-    const pt::Rgb& pixel = image.pixels.at(static_cast<std::size_t>(row) * image.width + at.x);
-    if (!is_finite(pixel)) {
+    const int row = film.height - 1 - at.y;
+    const pt::FilmPixel& pixel = film.pixels.at(static_cast<std::size_t>(row) * film.width + at.x);
+    if (!is_finite(pixel.mean)) {
       throw pt::Error(fmt::format(
           "--golden {}: the pixel x {}, y {} from the top left is not finite", file, at.x, row));
     }
-    all.push_back(luminance(pixel));
+    golden.mean.push_back(luminance(pixel.mean));
+    golden.error.push_back(pixel.samples > 1 ? std::sqrt(pixel.variance_y / pixel.samples) : 0);
   }
-  return all;
+  return golden;
+}
+
+// Two independent right pictures. Of one with normal noise of a known size they are this one with another such noise e, and with
+// -e: the product of their errors is 0 in the mean.
+std::vector<std::vector<double>> two_goldens(const Options& options) {
+  std::vector<std::vector<double>> both;
+  for (const std::string& file : options.goldens) both.push_back(golden_of(file, options).mean);
+  if (both.size() == 2) return both;
+  const Golden one = golden_of(options.goldens[0], options);
+  std::mt19937_64 random(options.seed);
+  std::normal_distribution<double> noise;
+  both.push_back(one.mean);
+  for (std::size_t i = 0; i < one.mean.size(); ++i) {
+    const double e = one.error[i] * noise(random);
+    both[0][i] += e;
+    both[1][i] -= e;
+  }
+  return both;
 }
 
 // Right pictures: of files, or by the reference in a program of its own.
 Reference reference_beside(const std::string& program, const Options& options) {
   if (!options.goldens.empty()) {
-    std::vector<std::vector<double>> pictures;
-    for (const std::string& file : options.goldens) pictures.push_back(pixels_of(file, options));
-    return [pictures, next = std::size_t{0}](const pt::PathSettings&, int, std::uint64_t) mutable {
-      return pictures[next++ % pictures.size()];
-    };
+    return [both = two_goldens(options), next = std::size_t{0}](
+               const pt::PathSettings&, int, std::uint64_t) mutable { return both[next++ % 2]; };
   }
   if (!options.reference) return {};
   std::vector<std::string> words{program,
