@@ -112,9 +112,11 @@ void Study::look_at_bounces(int bounces, const std::function<void(double)>& anno
   const std::vector<PixelAt> some = every(8);
   double plain = 0;
   if (limits_.samples == 0) {
+    // Of fewer samples the calls of a box would take most of the time.
+    constexpr int kLook = 16;
     const double before = seconds_;
-    made(view, {2, {}, seed_, threads_}, some);
-    plain = (seconds_ - before) / (2 * static_cast<double>(some.size()));
+    made(view, {kLook, {}, seed_, threads_}, some);
+    plain = (seconds_ - before) / (kLook * static_cast<double>(some.size()));
   }
   const double renders = (1 - kOfBounces) / kOfOneRender;
   expected_ = kOfBounces * limits_.seconds +
