@@ -22,11 +22,11 @@ says 'How many points does a line have in common with a sphere'
 expect 1 '  wrong       wrong: t is a distance: no right solution agrees: hit_sphere(unit, {{0, 0, 3}, {0, 0, -2}})->t is 1, where you expect 2' \
   "$judge" hit_sphere --submission $files/mixed
 says '  too strict  strict: touching is a miss: ' 'the contract leaves it open' 'both are' \
-  'need not keep "stays accurate at any distance (bonus)"' 'The valid example catches 2 of'
+  'need not keep "stays accurate at any distance (bonus)"' 'The valid example catches 3 of'
 
 expect 1 '  wrong       loops: no right solution agrees: it does not end' "$judge" hit_sphere --submission $files/hostile
 says '  wrong       crashes' '  wrong       exits' '  wrong       aborts' '  wrong       throws' 'an exception ended it: words <>' \
-  'an exception ended it: input <-1>' '  wrong       prints a verdict' '  unsteady    fails by chance' 'The valid example catches 1 of'
+  'an exception ended it: input <-1>' '  wrong       prints a verdict' '  unsteady    fails by chance' 'The valid example catches 2 of'
 
 # Files that are not accepted, and the learner's own function.
 for line in $'#include <unistd.h>\nEXAMPLE("forks") { EXPECT(fork() >= 0); }' 'namespace pt { std::optional<SurfaceHit> hit_sphere(const Sphere&, const Ray&) { return {}; } }' \
@@ -47,11 +47,12 @@ cp build/mistakes/hit_sphere/normal_inwards/hit_sphere.cpp "$folder"
 expect 1 'Your own hit_sphere fails 7 of your 15 valid examples' "$judge" hit_sphere --submission "$folder"
 cp reference/1_rays/hit_sphere.cpp "$folder"
 expect 0 'Your own hit_sphere passes your 15 valid examples.' "$judge" hit_sphere --submission "$folder"
-says '15 examples, held against' 'The 15 valid examples catch 19 of 19 wrong solutions' 'that only rare inputs show'
+says '15 examples, held against' 'that only rare inputs show'
+grep -qE '^The 15 valid examples catch ([0-9]+) of \1 wrong solutions' "$folder/said" || complain 'good examples do not catch all ordinary mistakes'
 
 # The hunt: good examples find each of the wrong solutions that a seed chooses, weak ones do not find those that only they find.
-"$judge" hit_sphere --hunt --seed 1 --submission "$folder/weak" >"$folder/first" && complain "weak examples find solution 1"
-"$judge" hit_sphere --hunt --seed 1 --submission "$folder/weak" >"$folder/again" || diff "$folder/first" "$folder/again" || complain 'a seed is not enough'
+"$judge" hit_sphere --hunt --seed 2 --submission "$folder/weak" >"$folder/first" && complain "weak examples find solution 2"
+"$judge" hit_sphere --hunt --seed 2 --submission "$folder/weak" >"$folder/again" || diff "$folder/first" "$folder/again" || complain 'a seed is not enough'
 for seed in 1 2 3 4; do
   expect 0 'Found: it fails "' "$judge" hit_sphere --hunt --seed $seed --submission $files/good
   says 'Which line is wrong?' 'std::optional<SurfaceHit> hit_sphere'
@@ -61,8 +62,8 @@ for seed in 1 2 3 4; do
   [ "$(grep -c '^> ' "$folder/said")" -le 3 ] || complain "seed $seed: more than the wrong lines are marked"
 done
 [ "$(sort -u "$folder/reasons" | wc -l)" -gt 1 ] || complain 'all seeds choose the same solution'
-expect 1 'agrees with all valid examples' "$judge" hit_sphere --hunt --seed 1 --submission "$folder/weak"
-expect 1 'no right solution agrees' "$judge" hit_sphere --hunt --seed 1 --submission $files/mixed
+expect 1 'agrees with all valid examples' "$judge" hit_sphere --hunt --seed 2 --submission "$folder/weak"
+expect 1 'no right solution agrees' "$judge" hit_sphere --hunt --seed 2 --submission $files/mixed
 
 # Every stub has an example that is valid.
 expect 0 '  valid       ' ./run examples hit_sphere
