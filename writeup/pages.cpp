@@ -156,19 +156,23 @@ std::string citation() {
                      field("version"));
 }
 
-// The command, who ran it where, and the date of the newest figure.
-std::string foot(const Site& site, const fs::path& folder) {
-  std::string text =
-      "Made by: " + site.command + (site.by.empty() ? "" : " · " + site.by) + citation();
-  if (!fs::exists(folder / "figures")) return text;
+// " · " and the date of the newest figure; empty if there is none.
+std::string date_of(const fs::path& figures) {
+  if (!fs::exists(figures)) return "";
   constexpr fs::file_time_type kNever = fs::file_time_type::min();
   fs::file_time_type newest = kNever;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder / "figures")) {
+  for (const fs::directory_entry& file : fs::directory_iterator(figures)) {
     newest = std::max(newest, file.last_write_time());
   }
-  if (newest == kNever) return text;
+  if (newest == kNever) return "";
   const auto time = std::chrono::file_clock::to_sys(newest);
-  return text + fmt::format(" · {:%F}", std::chrono::time_point_cast<std::chrono::seconds>(time));
+  return fmt::format(" · {:%F}", std::chrono::time_point_cast<std::chrono::seconds>(time));
+}
+
+// The command, who ran it where, when, and what to cite.
+std::string foot(const Site& site, const fs::path& folder) {
+  return "Made by: " + site.command + (site.by.empty() ? "" : " · " + site.by) +
+         date_of(folder / "figures") + citation();
 }
 
 // The front page has a picture of each page, above its table.

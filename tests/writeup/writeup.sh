@@ -111,7 +111,7 @@ done
 for page in part5 needs accuracy bugs; do
   grep -q '<math display="block"><m' "$made/draft/$page.html" || complain "$page has no formula"
 done
-grep -q 'Made by: .* · an author · [0-9-]*</p>' "$made/draft/index.html" || complain "the foot does not say who made the pages, and when"
+grep -q 'Made by: .* · an author · [0-9-]* · To cite: .* (CITATION.cff)</p>' "$made/draft/index.html" || complain "the foot does not say who made the pages, when, and what to cite"
 
 # Nothing has changed, so nothing is made.
 expect 0 'draft/index.html' writeup reference
