@@ -11,7 +11,7 @@ namespace grader::intake {
 
 struct Label;
 
-// A form such as "{name}({id})" or "{id}_{any}_{attempt}[_{file}]". What stands in [ ] may be missing. The fields are in kinds() of
+// A form such as "{name}({id})" or "{id}_{any}_{attempt}[_{file}]". What stands in [ ] may be missing. The fields are in kKinds of
 // form_table.cpp, and in docs/instructors/platforms.md. The key is the name and the ID, so that two names with one ID are no single learner.
 struct NameForm {
   struct Part {
