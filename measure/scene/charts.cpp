@@ -42,13 +42,6 @@ std::string title_of(const Options& options, const std::string& settings) {
   return fmt::format("set title \"{}\\n{}\" noenhanced\n", subject_of(options, "\\n"), settings);
 }
 
-std::string caption_of(const Options& options, const std::string& what, const std::string& settings,
-                       bool is_timed) {
-  const std::string machine = processor();
-  return fmt::format("{}: {}, {}{}. {}", what, subject_of(options), settings,
-                     is_timed && !machine.empty() ? ", on " + machine : "", kErrorCaption);
-}
-
 // A line of the file, and of the chart if it has a colour: a way with its numbers of light samples.
 struct ChartLine {
   std::string title;
@@ -125,10 +118,11 @@ void draw_options(const Answer& answer, const Options& asked) {
   const Way& way = answer.best.way;
   const std::string settings = fmt::format(
       "at most {} bounces and survival {:g} where nothing else is said", way.bounces, way.survival);
-  draw(folder, "options",
-       title_of(asked, settings) + "set xlabel \"" + processor_seconds() + "\"\n" + points +
-           names_beside(std::move(ends), low / 1.3, high * 1.3) + kOptionsChart + plot,
-       caption_of(asked, "Error over processor seconds, setting by setting", settings, true));
+  draw(
+      folder, "options",
+      title_of(asked, settings) + "set xlabel \"" + processor_seconds() + "\"\n" + points +
+          names_beside(std::move(ends), low / 1.3, high * 1.3) + kOptionsChart + plot,
+      caption_of(asked, "Error over processor seconds, setting by setting", settings, processor()));
 }
 
 void draw_bounces(const Answer& answer, const Options& options) {
@@ -146,7 +140,7 @@ void draw_bounces(const Answer& answer, const Options& options) {
                       under_the_pointer({"\"bounces.csv\" skip 1", "missing with at most m bounces",
                                          "$1", "($2 > 0 ? $2 : NaN)", "$2", ""})),
       caption_of(options, "The error that m bounces leave, with any number of samples", settings,
-                 false));
+                 ""));
 }
 
 void draw_noise(const Answer& answer, const Options& options) {
@@ -169,7 +163,7 @@ void draw_noise(const Answer& answer, const Options& options) {
                under_the_pointer({"\"noise.csv\" skip 1", "variance", "$1", "$2", "$2", "$3"}),
                under_the_pointer({"\"noise.csv\" skip 1", "microseconds", "$1", "$4", "$4", "$5"})),
        caption_of(options, "Variance and time of a camera sample by its light samples", settings,
-                  true));
+                  processor()));
 }
 
 }  // namespace

@@ -72,11 +72,9 @@ std::string title_of(const Options& options) {
                      subject_of(options, "\\n"), options.bounces, kElse);
 }
 
-std::string caption_of(const Options& options, const std::string& what, bool is_timed) {
-  const std::string machine = processor();
-  return fmt::format("{}: {}, at most {} bounces, {}{}. {}", what, subject_of(options),
-                     options.bounces, kElse, is_timed && !machine.empty() ? ", on " + machine : "",
-                     kErrorCaption);
+std::string caption(const Options& options, const std::string& what, bool is_timed) {
+  return caption_of(options, what, fmt::format("at most {} bounces, {}", options.bounces, kElse),
+                    is_timed ? processor() : "");
 }
 
 // The lowest and the highest number of a chart, with some room beside them.
@@ -122,12 +120,12 @@ void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve&
                                 name_of(curve, first), "$2", "$3", "$3", "$4"});
   }
   pt::write_file(options.out / (name + ".csv"), csv);
-  draw(options.out, name,
-       title_of(options) + fmt::format(fmt::runtime(kStyle), "%g", processor_seconds(),
-                                       "efficiency beside lights, l = 1",
-                                       span.names(std::move(ends)), plots),
-       caption_of(options, "Efficiency, 1 / (time x error^2), beside light sampling with l = 1",
-                  true));
+  draw(
+      options.out, name,
+      title_of(options) + fmt::format(fmt::runtime(kStyle), "%g", processor_seconds(),
+                                      "efficiency beside lights, l = 1",
+                                      span.names(std::move(ends)), plots),
+      caption(options, "Efficiency, 1 / (time x error^2), beside light sampling with l = 1", true));
 }
 
 // The error over a column of converge.csv. Over samples and rays all engines have the same line.
@@ -167,9 +165,9 @@ void draw_errors(const std::vector<DrawnMethod>& drawn, const MethodCurve& first
       options.out, options.prefix + axis.file,
       title_of(options) + fmt::format(fmt::runtime(kStyle), axis.format, label,
                                       "error (root of relMSE)", span.names(std::move(ends)), plots),
-      caption_of(options,
-                 fmt::format("Error over {}", over_seconds ? "processor seconds" : axis.label),
-                 over_seconds));
+      caption(options,
+              fmt::format("Error over {}", over_seconds ? "processor seconds" : axis.label),
+              over_seconds));
 }
 
 void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem::path& file) {

@@ -138,10 +138,11 @@ void draw_several(const std::vector<const Measured*>& codes, const Measured& fir
       options.out, name,
       fmt::format(fmt::runtime(kChart), subject_of(options), options.bounces, machine, first.name(),
                   tics, static_cast<double>(first.curves.size()) - .3, first.name(), plots),
-      fmt::format("Efficiency of {} beside {}, method by method: {}, at most {} bounces, survival "
-                  ".7 where nothing else is said{}. {}",
-                  who, first.name(), subject_of(options), options.bounces,
-                  machine.empty() ? "" : ", on " + machine, kErrorCaption));
+      caption_of(options,
+                 fmt::format("Efficiency of {} beside {}, method by method", who, first.name()),
+                 fmt::format("at most {} bounces, survival .7 where nothing else is said",
+                             options.bounces),
+                 machine));
 }
 
 Measured measured(const Call& call, const Subject& subject) {

@@ -214,6 +214,12 @@ std::string subject_of(const Options& options, const char* between) {
                      options.height);
 }
 
+std::string caption_of(const Options& options, const std::string& what, const std::string& settings,
+                       const std::string& machine) {
+  return fmt::format("{}: {}, {}{}. {}", what, subject_of(options), settings,
+                     machine.empty() ? "" : ", on " + machine, kErrorCaption);
+}
+
 void print_notes(const pt::LoadedScene& loaded) {
   for (const std::string& note : loaded.notes) fmt::print(stderr, "{}\n", note);
 }

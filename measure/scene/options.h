@@ -50,6 +50,10 @@ inline constexpr const char* kErrorCaption =
     "the picture without noise "
     "and d 4 % of its mean.";
 
+// The caption of a chart. `machine` is empty where the chart has no times.
+std::string caption_of(const Options& options, const std::string& what, const std::string& settings,
+                       const std::string& machine);
+
 enum class Command { cheapest, converge };
 
 struct Call {
