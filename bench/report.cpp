@@ -54,8 +54,8 @@ void print_goals(const std::vector<Goal>& goals, Csv& csv) {
       std::printf("missed by a factor of %.2f\n", 1 / goal.factor());
     }
     char row[300];
-    std::snprintf(row, sizeof row, "%s,%g,%.3f,%s", goal.what.c_str(), goal.wanted, goal.measured,
-                  met ? "met" : "missed");
+    std::snprintf(row, sizeof row, "\"%s\",%g,%.3f,%s", goal.what.c_str(), goal.wanted,
+                  goal.measured, met ? "met" : "missed");
     csv.row(row);
   }
 }
