@@ -64,6 +64,9 @@ endif()
 set(FIRSTLIGHT_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 if(FIRSTLIGHT_SANITIZE)
   set(flags ${FIRSTLIGHT_SANITIZERS})
+  if(FIRSTLIGHT_SANITIZE STREQUAL thread)
+    set(flags -fsanitize=thread)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # Code that sanitisers add makes g++ warn of std::regex (its manual: -fsanitize and false warnings).
     list(APPEND flags -Wno-maybe-uninitialized)
@@ -72,6 +75,7 @@ if(FIRSTLIGHT_SANITIZE)
     list(APPEND flags -fsanitize=fuzzer-no-link)  # counts what runs; the targets alone have a fuzzer in them
   endif()
   target_compile_options(firstlight_options INTERFACE ${flags})
+  target_compile_definitions(firstlight_options INTERFACE FIRSTLIGHT_SANITIZED)
   target_link_options(firstlight_options INTERFACE ${flags})
 endif()
 

@@ -27,7 +27,7 @@ run_pieces() {
   local table=$build/long_tests.txt pieces piece commit start result part failed=0
   mapfile -t pieces < <(awk '$2 == "long" { print $1 }' "$build/check/tests.txt")
   for part in 1 2 3 4 5 6; do pieces+=("sanitize_$part"); done
-  pieces+=(lint_all tidy)
+  pieces+=(sanitize_thread lint_all tidy)
   for piece; do
     case " ${pieces[*]} " in *" $piece "*) ;; *) fail "there is no piece '$piece': ${pieces[*]}" ;; esac
   done
@@ -38,6 +38,9 @@ run_pieces() {
     echo "== $piece" >&2
     start=$SECONDS result=passed
     case $piece in
+      # The tests of what runs in threads.
+      sanitize_thread) "$root/run" test test_accel_meshes test_image test_render test_render_program test_process_time process_test test_status_line \
+        test_view_server test_measure test_writeup --sanitize=thread ;;
       sanitize_*) "$root/run" test --all --sanitize -I "${piece#*_},,6" ;;
       lint_all) "$root/run" lint --all ;;
       tidy) "$root/run" tidy ;;
@@ -52,12 +55,13 @@ run_pieces() {
   return $failed
 }
 
-# run_tests [NAME ... | --all | --long [PIECE ...]] [--sanitize] [OPTIONS of ctest]
+# run_tests [NAME ... | --all | --long [PIECE ...]] [--sanitize[=thread]] [OPTIONS of ctest]
 run_tests() {
   local preset=check tier=quick names=() options=() targets=() which word said
   for word in "$@"; do
     case $word in
       --sanitize) preset=sanitize ;;
+      --sanitize=thread) preset=sanitize_thread ;;
       --all | --long) tier=${word#--} ;;
       -*) options+=("$word") ;;
       *) if [ ${#options[@]} -gt 0 ]; then options+=("$word"); else names+=("$word"); fi ;;

@@ -19,15 +19,9 @@ struct Limits {
 // kernel refuses. Allocates nothing, so it may be called between fork and exec.
 [[nodiscard]] bool set_limits(const Limits& limits);
 
-// True if this build uses AddressSanitizer, which reserves more address space than any limit.
-#if defined(__SANITIZE_ADDRESS__)
+// True if this build uses a sanitiser, which reserves more address space than any limit (cmake/options.cmake).
+#if defined(FIRSTLIGHT_SANITIZED)
 inline constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-inline constexpr bool kSanitized = true;
-#else
-inline constexpr bool kSanitized = false;
-#endif
 #else
 inline constexpr bool kSanitized = false;
 #endif

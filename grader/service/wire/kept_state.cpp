@@ -76,14 +76,6 @@ Blocks& blocks() {
   return all;
 }
 
-void* noted(void* block, std::size_t size) {
-  if (block != nullptr && has_state()) blocks()[reinterpret_cast<std::uintptr_t>(block)] = size;
-  return block;
-}
-void forget(void* block) {
-  if (has_state()) blocks().erase(reinterpret_cast<std::uintptr_t>(block));
-}
-
 // A hash of the bytes, and of all memory that their pointers lead to.
 class Digest {
  public:
@@ -177,10 +169,24 @@ unsigned processor_mode() {
   return mode;
 }
 
+// Every form of new calls one of these functions of C. Sanitisers have their own.
+#if !defined(FIRSTLIGHT_SANITIZED)
+namespace {
+
+void* noted(void* block, std::size_t size) {
+  if (block != nullptr && has_state()) blocks()[reinterpret_cast<std::uintptr_t>(block)] = size;
+  return block;
+}
+void forget(void* block) {
+  if (has_state()) blocks().erase(reinterpret_cast<std::uintptr_t>(block));
+}
+
+}  // namespace
+#endif
+
 }  // namespace grader::wire
 
-// Every form of new calls one of these. Sanitisers have their own.
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(FIRSTLIGHT_SANITIZED)
 extern "C" {
 void* malloc(std::size_t size) { return grader::wire::noted(__libc_malloc(size), size); }
 void* calloc(std::size_t count, std::size_t size) {
