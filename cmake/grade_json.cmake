@@ -28,6 +28,9 @@ function(firstlight_write_grade_json)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
   get_target_property(options firstlight_options INTERFACE_COMPILE_OPTIONS)
+  if(FIRSTLIGHT_SANITIZE) # is for our code: the judge refuses an object with what sanitisers add
+    list(FILTER options EXCLUDE REGEX "sanitize")
+  endif()
   firstlight_json_list(compile_flags
     ${flags} ${CMAKE_CXX20_STANDARD_COMPILE_OPTION} ${options} ${FIRSTLIGHT_LIBRARY_CHECKS})
   separate_arguments(flags UNIX_COMMAND "${CMAKE_EXE_LINKER_FLAGS}")
