@@ -4,6 +4,7 @@
 #include "pt/tasks/trace_path.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pt {
 
@@ -11,28 +12,34 @@ namespace {
 
 // is_only_direct_light() checks one path in this many.
 constexpr std::uint64_t kCheckEvery = 16;
+constexpr std::size_t kAllLights = std::numeric_limits<std::size_t>::max();
 
-// Walks the path again by its tape, with the direct light of one range only.
+// Walks the path again by its tape, with the direct light of one range only. The path ends when enough lights were played.
 Rgb played(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
-           const BounceRange& range, Sampler sampler, PathTape& tape) {
+           const BounceRange& range, Sampler sampler, PathTape& tape,
+           std::size_t enough = kAllLights) {
   tape.only = range;
+  tape.enough = enough;
   tape.next_light = 0;
   tape.next_ray = 0;
   return trace_path(scene, point, settings, sampler);
 }
 
-// The light of a range. The first bounce reaches the camera unchanged.
+// The light of a range. The first bounce reaches the camera unchanged. After the last light of the range the path may end: all that
+// follows is black, and a path that ends keeps what it has found.
 Rgb light_of(const Scene& scene, const SurfacePoint& point, const PathSettings& settings,
              const BounceRange& range, Sampler sampler, PathTape& tape) {
   Rgb first;
   bool later = false;
+  std::size_t enough = 0;
   for (const PathTape::DirectLight& direct : tape.lights) {
     const bool wanted = range.from <= direct.bounce && direct.bounce <= range.to;
     if (!wanted || direct.light == Rgb{}) continue;
+    enough = &direct - tape.lights.data() + 1;
     later = later || direct.bounce > 1;
     if (direct.bounce == 1) first = direct.light;
   }
-  return later ? played(scene, point, settings, range, sampler, tape) : first;
+  return later ? played(scene, point, settings, range, sampler, tape, enough) : first;
 }
 
 // Returns false if trace_path adds anything but direct light: without it, it must return black.

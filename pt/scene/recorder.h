@@ -42,8 +42,9 @@ struct PathTape {
   };
 
   Mode mode = Mode::record;
-  Vec3 start;        // of the path
-  BounceRange only;  // the bounces that are not black while the tape is played
+  Vec3 start;              // of the path
+  BounceRange only;        // the bounces that are not black while the tape is played
+  std::size_t enough = 0;  // lights: when so many were played, no ray hits any more
   std::vector<TracedRay> rays;
   std::vector<DirectLight> lights;
   std::size_t next_ray = 0, next_light = 0;  // to be played

@@ -46,6 +46,7 @@ std::optional<Hit> closest_by_tape(PathTape& tape, const Scene& scene, const Ray
     tape.rays.push_back({ray, traced(scene, ray)});
     return tape.rays.back().hit;
   }
+  if (tape.next_light >= tape.enough) return {};
   const bool known = tape.next_ray < tape.rays.size() && same(tape.rays[tape.next_ray].ray, ray);
   return known ? tape.rays[tape.next_ray++].hit : traced(scene, ray);
 }

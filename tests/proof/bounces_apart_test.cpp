@@ -58,6 +58,27 @@ TEST(BouncesApart, cost_no_more_rays_than_the_walk) {
   EXPECT_EQ(end.occluded - middle.occluded, middle.occluded - start.occluded);
 }
 
+// The walk of one bounce ends after the light of that bounce. Its part is that of the whole walk, bit for bit.
+TEST(BouncesApart, of_one_bounce_are_those_of_the_whole_walk) {
+  const Scene scene = yard();
+  const SurfacePoint point = point_seen(scene, {1, 3, 6}, {1, 0, 1});
+  const PathSettings settings = settings_up_to(40, Direct::lights);
+  std::vector<BounceRange> bounces;
+  for (int k = 1; k <= settings.to; ++k) bounces.push_back({k, k});
+  Sampler one(6), other(6);
+  std::size_t seen = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const BouncesApart apart = trace_path_apart(scene, point, settings, bounces, one);
+    std::vector<Rgb> whole = trace_path_in_parts(scene, point, settings, other).bounces;
+    whole.resize(bounces.size());
+    for (std::size_t k = 1; k < whole.size(); ++k) {
+      ASSERT_EQ(apart.ranges[k], whole[k]) << "bounce " << k + 1;
+      seen += whole[k] == Rgb{} ? 0 : 1;
+    }
+  }
+  EXPECT_GT(seen, 300U);
+}
+
 // Bounce k of a closed room of emission E and albedo a has the radiance E a^k.
 TEST(BouncesApart, glow_as_the_closed_form_says) {
   const Rgb albedo{0.2, 0.5, 0.65}, emission{2, 1, 0.5};
