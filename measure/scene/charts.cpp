@@ -37,11 +37,6 @@ plot "noise.csv" using 1:2:3 skip 1 with yerrorbars lc rgb "#0072b2" pt 7 ps .6 
      "" using 1:4:5 skip 1 axes x1y2 with yerrorbars lc rgb "#d55e00" pt 5 ps .6 title "time", \
      {:.8g} + {:.8g} * x axes x1y2 lc rgb "#d55e00" lw 2 title "c0 + c1 l"{}{} axes x1y2)gp";
 
-// The subject of a chart, and its settings.
-std::string title_of(const Options& options, const std::string& settings) {
-  return fmt::format("set title \"{}\\n{}\" noenhanced\n", subject_of(options, "\\n"), settings);
-}
-
 // A line of the file, and of the chart if it has a colour: a way with its numbers of light samples.
 struct ChartLine {
   std::string title;

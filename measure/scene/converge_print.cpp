@@ -65,16 +65,9 @@ set style fill transparent solid 0.2 noborder
 {}plot {}
 )gp";
 
-// The subject of a chart, which has to be told without the page around it.
-constexpr const char* kElse = "l = 1 and survival .7 where nothing else is said";
-std::string title_of(const Options& options) {
-  return fmt::format("set title \"{}, at most {} bounces\\n{}\" noenhanced\n",
-                     subject_of(options, "\\n"), options.bounces, kElse);
-}
-
-std::string caption(const Options& options, const std::string& what, bool is_timed) {
-  return caption_of(options, what, fmt::format("at most {} bounces, {}", options.bounces, kElse),
-                    is_timed ? processor() : "");
+std::string settings_of(const Options& options) {
+  return fmt::format("at most {} bounces; l = 1, survival .7 if nothing else is said",
+                     options.bounces);
 }
 
 // The lowest and the highest number of a chart, with some room beside them.
@@ -120,12 +113,12 @@ void draw_efficiencies(const std::vector<DrawnMethod>& drawn, const MethodCurve&
                                 name_of(curve, first), "$2", "$3", "$3", "$4"});
   }
   pt::write_file(options.out / (name + ".csv"), csv);
-  draw(
-      options.out, name,
-      title_of(options) + fmt::format(fmt::runtime(kStyle), "%g", processor_seconds(),
-                                      "efficiency beside lights, l = 1",
-                                      span.names(std::move(ends)), plots),
-      caption(options, "Efficiency, 1 / (time x error^2), beside light sampling with l = 1", true));
+  draw(options.out, name,
+       title_of(options, settings_of(options)) +
+           fmt::format(fmt::runtime(kStyle), "%g", processor_seconds(),
+                       "efficiency beside lights, l = 1", span.names(std::move(ends)), plots),
+       caption_of(options, "Efficiency, 1 / (time x error^2), beside light sampling with l = 1",
+                  settings_of(options), processor()));
 }
 
 // The error over a column of converge.csv. Over samples and rays all engines have the same line.
@@ -161,13 +154,13 @@ void draw_errors(const std::vector<DrawnMethod>& drawn, const MethodCurve& first
                          options.prefix, ink::kBlack);
   }
   const std::string label = over_seconds ? processor_seconds() : axis.label;
-  draw(
-      options.out, options.prefix + axis.file,
-      title_of(options) + fmt::format(fmt::runtime(kStyle), axis.format, label,
-                                      "error (root of relMSE)", span.names(std::move(ends)), plots),
-      caption(options,
-              fmt::format("Error over {}", over_seconds ? "processor seconds" : axis.label),
-              over_seconds));
+  draw(options.out, options.prefix + axis.file,
+       title_of(options, settings_of(options)) + fmt::format(fmt::runtime(kStyle), axis.format,
+                                                             label, "error (root of relMSE)",
+                                                             span.names(std::move(ends)), plots),
+       caption_of(options,
+                  fmt::format("Error over {}", over_seconds ? "processor seconds" : axis.label),
+                  settings_of(options), over_seconds ? processor() : ""));
 }
 
 void write_factors(const std::vector<MethodCurve>& curves, const std::filesystem::path& file) {

@@ -214,6 +214,10 @@ std::string subject_of(const Options& options, const char* between) {
                      options.height);
 }
 
+std::string title_of(const Options& options, const std::string& settings) {
+  return fmt::format("set title \"{}\\n{}\" noenhanced\n", subject_of(options, "\\n"), settings);
+}
+
 std::string caption_of(const Options& options, const std::string& what, const std::string& settings,
                        const std::string& machine) {
   return fmt::format("{}: {}, {}{}. {}", what, subject_of(options), settings,

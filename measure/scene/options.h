@@ -44,6 +44,10 @@ struct Options {
 
 // "box.dae by anna, 480 x 360 pixels": the beginning of captions and, in two lines, of charts.
 std::string subject_of(const Options& options, const char* between = ", ");
+
+// The title of a chart: the subject, and the settings in a line below. For gnuplot.
+std::string title_of(const Options& options, const std::string& settings);
+
 // Of all captions.
 inline constexpr const char* kErrorCaption =
     "Errors are the root of relMSE: the mean over the pixels of (x - g)^2 / (g + d)^2, where g is "
