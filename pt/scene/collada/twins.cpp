@@ -1,6 +1,7 @@
 #include "pt/scene/collada/twins.h"
 
 #include "pt/accel/wide_bvh.h"
+#include "pt/sampling/sampler.h"
 
 #include <algorithm>
 #include <bit>
@@ -147,12 +148,6 @@ class Merge {
   std::map<std::pair<int, int>, int> pairs_;
 };
 
-std::uint64_t mixed(std::uint64_t z) {  // SplitMix64 (Steele, Lea and Flood 2014)
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
-
 double largest_coordinate(const Triangle& t) {
   return std::max({max_abs(t.p0), max_abs(t.p1), max_abs(t.p2)});
 }
@@ -184,8 +179,9 @@ std::vector<Triangle> in_shared_planes(const std::vector<Triangle>& triangles) {
 
 std::uint64_t hash_of(Vec3 p) {
   std::uint64_t hash = 0;
+  // The first word of a sampler's state is its seed with all bits mixed.
   for (const double x : {p.x, p.y, p.z}) {
-    hash = mixed(hash + 0x9e3779b97f4a7c15 + std::bit_cast<std::uint64_t>(x + 0.0));
+    hash = Sampler(hash + std::bit_cast<std::uint64_t>(x + 0.0)).state()[0];
   }
   return hash;
 }
