@@ -5,9 +5,9 @@
 #include "grader/service/process/run_command.h"
 #include "grader/service/sandbox/users.h"
 #include "pt/error.h"
+#include "pt/number.h"
 
 #include <atomic>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -163,13 +163,11 @@ Tier tier_of(std::string_view word) {
 std::optional<int> landlock_at_most() {
   const char* text = std::getenv(kLandlockVariable);
   if (text == nullptr) return std::nullopt;
-  int version = -1;
-  const std::string_view word = text;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), version);
-  if (error != std::errc() || end != word.data() + word.size() || version < 0) {
+  const std::optional<int> version = pt::number_in<int>(text);
+  if (!version || *version < 0) {
     throw pt::Error(
         fmt::format("{} is '{}'; write the newest version of Landlock to use, such as 5",
-                    kLandlockVariable, base::printable(word, 40)));
+                    kLandlockVariable, base::printable(text, 40)));
   }
   return version;
 }

@@ -1,9 +1,10 @@
 #include "grader/service/sandbox/launcher/options.h"
 
 #include "pt/error.h"
+#include "pt/number.h"
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
 #include <string_view>
 
 namespace grader::sandbox::box {
@@ -11,12 +12,9 @@ namespace grader::sandbox::box {
 namespace {
 
 std::uint64_t number(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    throw pt::Error("'" + std::string(text) + "' is not a limit");
-  }
-  return value;
+  const std::optional<std::uint64_t> value = pt::number_in<std::uint64_t>(text);
+  if (!value) throw pt::Error("'" + std::string(text) + "' is not a limit");
+  return *value;
 }
 
 void take(Options& options, std::string_view word) {
