@@ -36,3 +36,19 @@ function(firstlight_ours_handed_on result)
   endforeach()
   set(${result} ${ours} PARENT_SCOPE)
 endfunction()
+
+# firstlight_list_objects(PROGRAM LIBRARY ... [EXCEPT LIBRARY ...]): writes PROGRAM.objects next to a program with linked tasks. It
+# has a line for each object: "hit_box path" for a task, "framework path" for the libraries and those that they hand on. Objects
+# that change no render are left out.
+function(firstlight_list_objects name)
+  firstlight_ours_handed_on(libraries ${ARGN})
+  set(text)
+  foreach(library IN LISTS libraries)
+    firstlight_objects_of(${library} "\nframework " objects)
+    string(APPEND text "framework ${objects}\n")
+  endforeach()
+  foreach(slug IN LISTS FIRSTLIGHT_SLUGS)
+    string(APPEND text "${slug} $<JOIN:$<TARGET_OBJECTS:${LINKED_${slug}}>,\n${slug} >\n")
+  endforeach()
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.objects CONTENT "${text}")
+endfunction()

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 #include <sstream>
+#include <thread>
 
 namespace view {
 
@@ -42,28 +43,28 @@ Live::Live(fs::path tasks, std::vector<std::string> command, Child& child)
     : tasks_(std::move(tasks)),
       command_(std::move(command)),
       child_(child),
-      thread_([this](const std::stop_token& stop) { watch(stop); }) {}
+      watching_(std::async(std::launch::async, [this] { watch(); })) {}
 
 Live::State Live::state() {
   const std::lock_guard lock(reading_);
   return state_;
 }
 
-void Live::compile(const std::stop_token& stop) {
+void Live::compile() {
   grader::process::Child build;
   build.command = command_;
   build.environment = grader::process::own_environment();
-  const auto result = grader::process::run_command(build, grader::process::kProgramTime, stop);
+  const auto result = grader::process::run_command(build, grader::process::kProgramTime, &is_over_);
   if (result.ok()) child_.restart();
   const std::lock_guard lock(reading_);
   ++state_.saves;
   state_.error = result.ok() ? "" : first_error(result.output);
 }
 
-void Live::watch(const std::stop_token& stop) {
+void Live::watch() {
   constexpr std::chrono::milliseconds kPause{50};
   Times compiled = times_of(tasks_), before = compiled;
-  while (!stop.stop_requested()) {
+  while (!is_over_) {
     std::this_thread::sleep_for(kPause);
     const Times now = times_of(tasks_);
     const bool is_settled = now == before;
@@ -71,7 +72,7 @@ void Live::watch(const std::stop_token& stop) {
     if (now == compiled || !is_settled) continue;
     compiled = now;
     try {
-      compile(stop);
+      compile();
     } catch (const std::exception& error) {
       const std::lock_guard lock(reading_);
       ++state_.saves;

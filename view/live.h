@@ -2,8 +2,9 @@
 
 #include "view/child.h"
 
+#include <atomic>
 #include <filesystem>
-#include <thread>
+#include <future>
 
 namespace view {
 
@@ -12,6 +13,7 @@ class Live {
  public:
   // The files are below `tasks`; the command compiles them.
   Live(std::filesystem::path tasks, std::vector<std::string> command, Child& child);
+  ~Live() { is_over_ = true; }
 
   struct State {
     int saves = 0;      // that have been compiled
@@ -20,15 +22,16 @@ class Live {
   State state();
 
  private:
-  void watch(const std::stop_token& stop);
-  void compile(const std::stop_token& stop);
+  void watch();
+  void compile();
 
   std::filesystem::path tasks_;
   std::vector<std::string> command_;
   Child& child_;
   std::mutex reading_;
   State state_;
-  std::jthread thread_;  // ends first
+  std::atomic<bool> is_over_ = false;
+  std::future<void> watching_;  // waits for its end
 };
 
 }  // namespace view

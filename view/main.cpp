@@ -11,13 +11,15 @@
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <future>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
 #include <unistd.h>
+
+extern char** environ;  // macOS has it in no header
 
 namespace view {
 namespace {
@@ -144,10 +146,15 @@ void write_page(const Options& options, Child& own, Child* reference) {
   fmt::print("wrote {}\n", pt::printable(options.page.string()));
 }
 
-// Opens the address where there is a screen.
+// Opens the address where there is a screen. A Mac always has one.
 void open_browser(const std::string& address) {
+#ifdef __APPLE__
+  std::string program = "open";
+#else
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
-  std::string program = "xdg-open", word = address;
+  std::string program = "xdg-open";
+#endif
+  std::string word = address;
   std::array<char*, 3> command{program.data(), word.data(), nullptr};
   pid_t pid = 0;
   posix_spawnp(&pid, program.c_str(), nullptr, nullptr, command.data(), environ);
@@ -181,7 +188,7 @@ void serve(const Options& options, Child& own, Child* reference) {
   server.bind(options.port);
   std::signal(SIGINT, [](int) { interrupted = true; });
   std::signal(SIGTERM, [](int) { interrupted = true; });
-  std::jthread listening([&] { server.listen(); });
+  const auto listening = std::async(std::launch::async, [&] { server.listen(); });
   fmt::print("{}\n(q and Enter, or Ctrl-C, ends it)\n", server.address());
   std::fflush(stdout);
   if (!options.no_browser) open_browser(server.address());

@@ -93,7 +93,7 @@ void answer(const Served& served, const std::string& what, const Request& reques
 
 std::string random_token() {
   std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+  if (getentropy(bytes.data(), bytes.size()) != 0) {
     throw pt::Error("the system has no random numbers for a token");
   }
   std::string text;

@@ -2,7 +2,7 @@
 #include "grader/base/wrap.h"
 #include "grader/report/hints.h"
 #include "grader/results/promises.h"
-#include "grader/service/build/config.h"
+#include "grader/tasks.h"
 #include "pt/command_line.h"
 #include "pt/error.h"
 #include "pt/file.h"
@@ -21,14 +21,14 @@ using namespace grader;
 struct Options {
   std::string task;
   std::vector<std::string> promise;  // its words
-  std::string config;
+  std::string root, work;            // folders: of the project, and where `grade` keeps its builds
   bool first = false;
 };
 
-const build::TaskConfig& find_task(const build::Config& config, const std::string& word) {
+std::string slug_of(const std::string& word) {
   std::vector<std::string> slugs;
-  for (const build::TaskConfig& task : config.tasks) {
-    if (word == task.slug || word == task.number) return task;
+  for (const Task& task : tasks()) {
+    if (word == task.slug || word == task.number) return task.slug;
     slugs.push_back(task.slug);
   }
   throw pt::Error(
@@ -71,15 +71,13 @@ std::string paragraphs(const std::string& text) {
 }
 
 int run(const Options& options) {
-  const build::Config config =
-      build::load_config(options.config.empty() ? build::default_config_path() : options.config);
-  const std::string slug = find_task(config, options.task).slug;
-  const std::string path = config.root + "/grader/tasks/" + slug + "/hints.md";
+  const std::string slug = slug_of(options.task);
+  const std::string path = options.root + "/grader/tasks/" + slug + "/hints.md";
   const report::Hints hints = report::parse_hints(pt::read_file(path), path);
   const auto promises =
-      results::promises_of(pt::read_file(config.root + "/pt/tasks/" + slug + ".h"));
+      results::promises_of(pt::read_file(options.root + "/pt/tasks/" + slug + ".h"));
 
-  report::Memory memory = report::recall(config.work, slug);
+  report::Memory memory = report::recall(options.work, slug);
   std::string asked = fmt::format("{}", fmt::join(options.promise, " "));
   if (asked.empty()) asked = first_known(promises, memory.fails);
   const results::Promise about_it =
@@ -96,7 +94,7 @@ int run(const Options& options) {
   const auto index = static_cast<std::size_t>(step++);
   fmt::print("{}\n{} ({} of {}):\n\n{}", name, report::kHintSteps[index], step,
              report::kHintSteps.size(), paragraphs(report::about(hints[index], about_it.name)));
-  report::remember(config.work, slug, memory);
+  report::remember(options.work, slug, memory);
   return 0;
 }
 
@@ -110,6 +108,7 @@ int main(int argc, char** argv) {
   app.add_option("promise", options.promise,
                  "what the hint is about (default: what failed when the task was last graded)");
   app.add_flag("--first", options.first, "start again with the first hint");
-  app.add_option("--config", options.config, "what CMake wrote (grade.json)");
+  app.add_option("--root", options.root, "Given by ./run")->required()->group("");
+  app.add_option("--work", options.work, "Given by ./run")->required()->group("");
   return pt::run_command_line(app, argc, argv, [&] { return run(options); });
 }

@@ -211,7 +211,7 @@ void WatchSession::press(char key) {
 void WatchSession::give_hint() {
   process::Child child{{options_.programs + "/hint", verdicts_.slug()}, {}, {}, "", {}};
   if (!verdicts_.promise().empty()) child.command.push_back(verdicts_.promise());
-  child.command.insert(child.command.end(), {"--config", options_.config});
+  child.command.insert(child.command.end(), {"--root", config_.root, "--work", config_.work});
   const process::CommandResult hint =
       process::run_command(std::move(child), std::chrono::seconds(5));
   show(hint.output);

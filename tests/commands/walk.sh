@@ -56,7 +56,7 @@ version=$(./run --version)
 grep -qF ". $version." "$folder/said" || complain "the text of a report does not end with $version: $(tail -1 "$folder/said")"
 for file in page.html results.json; do grep -qF "$version" "$folder/$file" || complain "$file has no $version"; done
 expect 1 'expected  a hit' "${grade[@]}" hit_triangle adaptive_pixel --no-pictures --submission "$folder/mixed"
-expect 0 '?' "$build/grader/hint" --config "$folder/grade.json" hit_triangle
+expect 0 '?' "$build/grader/hint" --root . --work "$folder/work" hit_triangle
 
 # ./run grade TASK --from student --sanitize: of the program, the learner's file alone is under sanitizers.
 expect 1 'hit_sphere' "$build/grader/check.hit_sphere.sanitized" --gtest_brief=1

@@ -12,6 +12,7 @@
 #include "pt/file.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -207,21 +208,21 @@ void judge_alone(const build::Config& config, const build::Builder& builder,
                  const GradeRequest& request, std::vector<Judged>& judged,
                  const std::function<void()>& progress) {
   std::mutex mutex;
-  std::stop_source ahead;
+  std::atomic<bool> stop_ahead = false;
   const auto known_so_far = [&] {
     const std::lock_guard lock(mutex);
     return judged;
   };
   base::for_each(judged.size() + 1, request.threads, [&](std::size_t k) {
     if (k == judged.size()) {
-      return judge_ahead(config, builder, request, known_so_far(), ahead.get_token());
+      return judge_ahead(config, builder, request, known_so_far(), stop_ahead);
     }
     // A single task that was asked for comes last, and is judged ahead as soon as the others are right.
     const bool is_one = request.asked.size() == 1;
     const std::size_t i = is_one ? k : base::from_both_ends(k, judged.size());
     Judged found = judged[i];  // a copy, as other threads report the original meanwhile
     judge_one(config, builder, request, found);
-    if (!found.right_alone) ahead.request_stop();
+    if (!found.right_alone) stop_ahead = true;
     // Without a reference, a task may fail because another task does.
     found.settled =
         found.right_alone ? needs(found.config->slug).empty() : config.no_reference.empty();

@@ -5,7 +5,7 @@
 #include "grader/service/judging/grade.h"
 #include "grader/service/process/run_command.h"
 
-#include <stop_token>
+#include <atomic>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,8 +17,8 @@ struct Trial {
   const build::Built& worker;
   bool integrated = false;
   const GradeRequest& request;
-  std::vector<std::string> promises;  // only these; all if empty
-  std::stop_token stop{};             // makes try_worker throw process::Stopped
+  std::vector<std::string> promises;        // only these; all if empty
+  const std::atomic<bool>* stop = nullptr;  // once true, makes try_worker throw process::Stopped
 };
 
 // Runs the property program, unless the cache has its result, and returns its findings

@@ -225,8 +225,8 @@ void judge_together(const build::Config& config, const build::Builder& builder,
 
 void judge_ahead(const build::Config& config, const build::Builder& builder,
                  const GradeRequest& request, std::vector<Judged> judged,
-                 const std::stop_token& stop) {
-  if (request.asked.size() != 1 || needs(request.asked[0]).empty() || stop.stop_requested()) return;
+                 const std::atomic<bool>& stop) {
+  if (request.asked.size() != 1 || needs(request.asked[0]).empty() || stop) return;
   const auto asked = std::ranges::find(judged, request.asked[0],
                                        [](const Judged& each) { return each.config->slug; });
   if (!asked->object.ok()) return;
@@ -234,7 +234,7 @@ void judge_ahead(const build::Config& config, const build::Builder& builder,
   if (!std::ranges::all_of(judged, &Judged::right_alone)) return;
   try {
     const build::Built worker = link_together(config, builder, judged, Elsewhere::answers);
-    if (worker.ok()) try_worker(builder, {*asked->config, worker, true, request, {}, stop});
+    if (worker.ok()) try_worker(builder, {*asked->config, worker, true, request, {}, &stop});
     if (request.pictures) link_together(config, builder, judged, Elsewhere::reference);
   } catch (const process::Stopped&) {
     return;

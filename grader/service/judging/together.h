@@ -2,7 +2,7 @@
 
 #include "grader/service/judging/alone.h"
 
-#include <stop_token>
+#include <atomic>
 
 namespace grader::judging {
 
@@ -26,6 +26,6 @@ void judge_together(const build::Config& config, const build::Builder& builder,
 // without a verdict if `stop` requests it.
 void judge_ahead(const build::Config& config, const build::Builder& builder,
                  const GradeRequest& request, std::vector<Judged> judged,
-                 const std::stop_token& stop);
+                 const std::atomic<bool>& stop);
 
 }  // namespace grader::judging

@@ -2,7 +2,6 @@
 
 #include "grader/service/process/spawn.h"
 
-#include <csignal>
 #include <cstring>
 #include <sstream>
 
@@ -55,7 +54,7 @@ constexpr const char* kKilled = "the system killed it: perhaps no memory was lef
 
 std::string words(int signal, const std::string& last_words) {
   switch (signal) {
-    case SIGSTKFLT:
+    case kStackOverflow:
       return "endless recursion: the stack overflowed, as a function called itself again and again";
     case SIGILL:
     case SIGTRAP:

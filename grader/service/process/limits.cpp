@@ -6,10 +6,11 @@ namespace grader::process {
 
 namespace {
 
-bool limit(int resource, const std::optional<std::uint64_t>& most) {
+// The type of a resource differs between systems.
+bool limit(auto resource, const std::optional<std::uint64_t>& most) {
   if (!most) return true;
   const rlimit both{*most, *most};
-  return setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;
+  return setrlimit(resource, &both) == 0;
 }
 
 }  // namespace

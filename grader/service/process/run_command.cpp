@@ -72,7 +72,7 @@ std::string fault_of(const CommandResult& result) {
   return base::printable(text.substr(first, end + 1 - first), 400);
 }
 
-CommandResult run_command(Child child, milliseconds most, std::stop_token stop) {
+CommandResult run_command(Child child, milliseconds most, const std::atomic<bool>* stop) {
   CommandResult result;
   const auto start = Clock::now();
   base::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
@@ -86,25 +86,20 @@ CommandResult run_command(Child child, milliseconds most, std::stop_token stop) 
   output.write_end.close();
   TimeLimit limit(pid, most);
 
-  bool over = false;
-  {
-    // The child's number is not reused before waitpid, which comes after this block.
-    const std::stop_callback end_it(stop, [pid] { end_child(pid); });
-    char buffer[1 << 16];
-    bool open = true;
-    while (open && !over) {
-      pollfd waiting{output.read_end.number(), POLLIN, 0};
-      over = is_over_after_waiting(limit, &waiting, 1000);
-      if (waiting.revents == 0) continue;
-      const ssize_t got = read(output.read_end.number(), buffer, sizeof buffer);
-      open = got > 0 || (got < 0 && errno == EINTR);
-      if (got > 0) {
-        const std::size_t room = kMaxOutput - result.output.size();
-        result.output.append(buffer, std::min(room, static_cast<std::size_t>(got)));
-      }
+  char buffer[1 << 16];
+  bool open = true, over = false;
+  while (open && !over) {
+    pollfd waiting{output.read_end.number(), POLLIN, 0};
+    over = is_over_after_waiting(limit, &waiting, stop == nullptr ? 1000 : 20);
+    if (stop != nullptr && *stop) throw Stopped();
+    if (waiting.revents == 0) continue;
+    const ssize_t got = read(output.read_end.number(), buffer, sizeof buffer);
+    open = got > 0 || (got < 0 && errno == EINTR);
+    if (got > 0) {
+      const std::size_t room = kMaxOutput - result.output.size();
+      result.output.append(buffer, std::min(room, static_cast<std::size_t>(got)));
     }
   }
-  if (stop.stop_requested()) throw Stopped();
   const std::optional<int> status = over ? std::nullopt : await(pid, limit);
   result.timed_out = !status;
   result.status = status ? *status : kill_child(pid);

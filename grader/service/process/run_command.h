@@ -2,9 +2,9 @@
 
 #include "grader/service/process/spawn.h"
 
+#include <atomic>
 #include <chrono>
 #include <stdexcept>
-#include <stop_token>
 #include <string>
 
 namespace grader::process {
@@ -30,8 +30,9 @@ inline constexpr std::chrono::seconds kProgramTime{1500};
 // `most`, and keeps its output. Other load does not count, and sleep is limited too
 // (grader/service/process/time_limit.h). Sets descriptors 0 to 2: both outputs are read, and the
 // input is child.descriptors[0], or empty. Throws pt::Error if the machine is too busy, and Stopped
-// if `stop` requests it, after it has ended the command.
-CommandResult run_command(Child child, std::chrono::milliseconds most, std::stop_token stop = {});
+// soon after `stop` has become true, when it has ended the command. std::stop_token is not in every library.
+CommandResult run_command(Child child, std::chrono::milliseconds most,
+                          const std::atomic<bool>* stop = nullptr);
 
 struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("it was stopped") {}

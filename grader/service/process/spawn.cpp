@@ -1,6 +1,7 @@
 #include "grader/service/process/spawn.h"
 
 #include "grader/base/descriptor.h"
+#include "grader/service/process/linux_calls.h"
 #include "grader/service/process/memory_group.h"
 #include "pt/error.h"
 
@@ -14,9 +15,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+extern char** environ;  // macOS has it in no header
 
 namespace grader::process {
 
@@ -42,7 +44,7 @@ void arrange(std::vector<int>& descriptors) {
   for (int i = 0; i < count; ++i) {
     if (dup2(descriptors[i], i) < 0) _exit(127);
   }
-  close_range(static_cast<unsigned>(count), ~0U, 0);
+  close_from(count);
 }
 
 constexpr const char* kKernelsChoice = "/proc/self/oom_score_adj";
@@ -76,9 +78,8 @@ std::string group_of(const Child& child) {
                          char* const* environment, pid_t parent, const std::string& score,
                          const std::string& group) {
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  stay_with_parent();
   if (getppid() != parent) _exit(127);  // the parent died before the line above
-  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   std::signal(SIGPIPE, SIG_IGN);
   arrange(descriptors);
   if (!child.directory.empty() && chdir(child.directory.c_str()) != 0) _exit(127);
@@ -87,22 +88,6 @@ std::string group_of(const Child& child) {
   if (!group.empty() && !join_group(group.c_str(), 0)) _exit(127);
   execve(command[0], command, environment);
   _exit(127);
-}
-
-// A process started by spawn() leads a group in our session. Keepers of boxes
-// (grader/service/sandbox) have left the session; leftovers of a compiler are in its group.
-bool is_orphan(pid_t pid) { return getsid(pid) != getsid(0) || getpgid(pid) != pid; }
-
-// Makes this process adopt the orphans of its children. The first process of a container may never
-// ask for their status, so that hundreds of dead processes would pile up.
-void reap_orphans() {
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
-  siginfo_t ended{};
-  while (waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0 &&
-         is_orphan(ended.si_pid)) {
-    waitpid(ended.si_pid, nullptr, WNOHANG);
-    ended = {};
-  }
 }
 
 }  // namespace
@@ -153,10 +138,6 @@ std::string describe_status(int status) {
     return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
   }
   return fmt::format("exit status {}", WEXITSTATUS(status));
-}
-
-void hide_process() {
-  if (!kSanitized) prctl(PR_SET_DUMPABLE, 0);
 }
 
 }  // namespace grader::process

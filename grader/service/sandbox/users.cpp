@@ -10,6 +10,10 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#ifndef SOCK_CLOEXEC  // not on macOS, where nothing is boxed
+#define SOCK_CLOEXEC 0
+#endif
+
 namespace grader::sandbox {
 
 // The lock is a name that ends with its last descriptor, not a file that others could make first.

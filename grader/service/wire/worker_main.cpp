@@ -1,6 +1,7 @@
 // The untrusted side: runs tasks of a submission on request, until the judge closes the connection
 // or kills it. The judge handles everything that happens here
 // (grader/service/wire/worker_process.h), and has set all limits before this program starts.
+#include "grader/service/process/cause_of_end.h"
 #include "grader/service/process/limits.h"
 #include "grader/service/wire/connection.h"
 #include "grader/service/wire/serve.h"
@@ -40,11 +41,11 @@ void on_wrong_address(int signal, siginfo_t* info, void*) {
   const std::uintptr_t down = stack_top - reinterpret_cast<std::uintptr_t>(info->si_addr);
   std::signal(signal, SIG_DFL);
   // For other addresses the same instruction now fails again, and ends the process.
-  if (down + kAbove > kStackSize && down < kStackSize + kBelow) raise(SIGSTKFLT);
+  if (down + kAbove > kStackSize && down < kStackSize + kBelow) raise(process::kStackOverflow);
 }
 
-// From now on a stack overflow ends this process with SIGSTKFLT, which nothing else sends, instead
-// of the signal for any wrong address. Call it in main().
+// From now on a stack overflow ends this process with a signal of its own, instead
+// of that for any wrong address. Call it in main().
 void report_stack_overflow() {
   char here = 0;
   stack_top = reinterpret_cast<std::uintptr_t>(&here);
