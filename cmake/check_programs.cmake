@@ -1,26 +1,32 @@
 # The programs that check one task. They link the chosen implementation of the task, counting versions and mocks of the tasks that
-# it calls, and the reference for all others.
+# it calls, and for all others the reference, or another implementation that is named last.
 function(firstlight_link_asked program slug implementation)
   firstlight_inner_choices(${slug} counting scripted)
   target_link_libraries(${program} PRIVATE firstlight_warnings)
-  firstlight_link_tasks(${program} FROM reference RADIANCE ${INNER_RADIANCE}
+  set(others reference ${ARGN})
+  list(GET others -1 others)
+  firstlight_link_tasks(${program} FROM ${others} RADIANCE ${INNER_RADIANCE}
     CHOICES ${slug}=${implementation} ${INNER_CHOICES} ${INNER_RECORDED})
 endfunction()
 
 # Also links the properties of the task.
 function(firstlight_link_properties program slug implementation)
   target_link_libraries(${program} PRIVATE properties.${slug})
-  firstlight_link_asked(${program} ${slug} ${implementation})
+  firstlight_link_asked(${program} ${slug} ${implementation} ${ARGN})
 endfunction()
 
 # check.<slug>.<implementation>: the properties of one task in one process, for a debugger and for the
-# tests of the properties themselves.
+# tests of the properties themselves. A handout on another machine has no reference, and links the learner's other tasks.
 function(firstlight_add_check_program slug implementation)
   set(program check.${slug}.${implementation})
   add_executable(${program} ${ARGN})
   set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${program} PRIVATE ${slug}.repeat GTest::gtest_main)
-  firstlight_link_properties(${program} ${slug} ${implementation})
+  set(others)
+  if(FIRSTLIGHT_REFERENCE STREQUAL stubs)
+    set(others student)
+  endif()
+  firstlight_link_properties(${program} ${slug} ${implementation} ${others})
 endfunction()
 
 # check.<slug>.<implementation> with the learner's file, compiled with further options; these are also for the linker. All else is linked as

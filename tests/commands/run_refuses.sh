@@ -30,10 +30,28 @@ refuses "'hit_me' is not a task" debug hit_me
 mkdir "$folder/other_system"
 printf '#!/bin/sh\necho Darwin\n' >"$folder/other_system/uname"
 chmod +x "$folder/other_system/uname"
-for command in watch view "grade-class docs" hint; do
+for command in submit stability "grade-class docs"; do
   # shellcheck disable=SC2086
   PATH=$folder/other_system:$PATH refuses "'${command% *}' needs Linux, or a container" $command
 done
+PATH=$folder/other_system:$PATH refuses "--submission needs Linux, or a container" view scenes/box_spheres.dae --submission student
+PATH=$folder/other_system:$PATH refuses "without Linux, watch takes no options" watch hit_sphere
+# A task is tested there when its file is saved, and nothing when another file is.
+mkdir -p "$folder/saved/student/1_rays" "$folder/saved/pt/tasks"
+touch "$folder/saved/student/1_rays/"{hit_sphere,hit_box,notes}.cpp "$folder/saved/pt/tasks/"{hit_sphere,hit_box}.h
+(
+  eval "$(sed -nE '/^watch_here\(\) \{/,/^\}/p' run)"
+  root=$folder/saved turn=0
+  sleep() {
+    turn=$((turn + 1))
+    [ "$turn" -gt 2 ] || echo "$turn" | tee "$root/student/1_rays/"{hit_sphere,notes}.cpp
+    [ "$turn" -lt 4 ]
+  }
+  grade_here() { echo "tests $*"; }
+  watch_here
+) >"$folder/watched" 2>&1
+[ "$(grep -c '^tests hit_sphere --from student$' "$folder/watched")$(grep -c ^tests "$folder/watched")" = 22 ] ||
+  complain "watch did not test what was saved twice: $(cat "$folder/watched")"
 PATH=$folder/other_system:$PATH refuses "--html cannot be used with --from" grade hit_triangle --html page.html
 PATH=$folder/other_system:$PATH expect 0 'Firstlight 0' ./run --version
 # An edition needs minutes of compiling, so what is wrong is said before.
