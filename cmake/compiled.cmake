@@ -7,12 +7,12 @@
 set(compiled_archives pt_base pt_scene pt_image pt_loader pt_film pt_render pt_render_options pt_rows pt_progress scene_meshes
   grader_tasks grader_base grader_process grader_users grader_sandbox grader_results grader_door grader_pictures grader_recipe_scenes
   grader_worker_rows grader_report grader_audit grader_build grader_judging grader_submitted grader_mistakes grader_examples grader_closed_forms grader_explain grader_check grader_counting
-  grader_wire measure_charts measure_renders measure_scene measure_scene_options measure_bands measure_rows_here measure_calls_tasks)
+  grader_wire measure_charts measure_renders measure_scene measure_scene_options measure_bands measure_calls_tasks)
 set(compiled_archives_and_objects pt_base pt_scene pt_loader pt_film pt_render pt_rows scene_meshes
-  grader_tasks grader_closed_forms measure_renders measure_scene measure_scene_options measure_bands measure_rows_here measure_calls_tasks)
+  grader_tasks grader_closed_forms measure_renders measure_scene measure_scene_options measure_bands measure_calls_tasks)
 set(compiled_objects pt_render_main pt_render_apart pt_rows_measured radiance.apart radiance.path radiance.recorded radiance.scripted
   grader_worker grader_connection grader_serve examples_runner recorder_calls view_calls view_paths view_worker_main
-  measure_render_main measure_scene_main measure_calls_worker measure_calls_pixels)
+  measure_render_main measure_rows_here measure_scene_main measure_calls_worker measure_calls_pixels)
 set(compiled_programs grader/grade grader/grade_examples grader/hint grader/watch grader/box grader/box_probe grader/flatten grader/graded_picture grader/compare
   scenes/generate view/view measure/measure measure/stability measure/writeup_boxed measure/accuracy_boxed writeup/writeup)
 foreach(slug IN LISTS FIRSTLIGHT_COUNTED)

@@ -23,8 +23,10 @@ firstlight_test(test_goldens rest PATHS SOURCES grader/pictures/goldens_test.cpp
   RADIANCE recorded)
 firstlight_test(test_engines rest PATHS SOURCES pt/render/engines_test.cpp LIBRARIES grader_pictures pt_loader RADIANCE recorded)
 
-# Renderers of others.
-firstlight_script_test(judge quick grader/renderers/judge.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS judge)
+# Renderers of others, which need a box.
+if(NOT FIRSTLIGHT_SANITIZE)
+  firstlight_script_test(judge quick grader/renderers/judge.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS judge)
+endif()
 
 # Work in the skeleton of a course.
 firstlight_test(door_test quick PLAIN PATHS SOURCES grader/door/door_test.cpp LIBRARIES grader_door GTest::gmock)

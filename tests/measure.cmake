@@ -1,8 +1,8 @@
 # What is measured, and the write-up.
 firstlight_test(test_accuracy quick SOURCES measure/accuracy_test.cpp
-  LIBRARIES measure_scene measure_scene_options measure_rows_here pt_rows_measured pt_render_apart RECORDED RADIANCE apart)
+  LIBRARIES measure_scene measure_rows_here pt_rows_measured pt_render_apart RECORDED RADIANCE apart)
 firstlight_test(test_merit rest PATHS SOURCES measure/merit_test.cpp
-  LIBRARIES measure_scene measure_scene_options measure_rows_here pt_rows_measured pt_render_apart RECORDED RADIANCE apart)
+  LIBRARIES measure_scene measure_rows_here pt_rows_measured pt_render_apart RECORDED RADIANCE apart)
 if(TARGET measure)
   firstlight_test(test_measure quick SOURCES measure/measure_test.cpp LIBRARIES measure_calls)
 endif()

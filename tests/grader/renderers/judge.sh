@@ -34,6 +34,7 @@ cheat stored 'two batches of samples were identical'
 cheat not_a_number 'is not a number'
 cheat endless 'took more than 3 s of processor time'
 cheat huge 'a file of more than 256 MiB'
+rm -f /tmp/firstlight_outside.pfm
 cheat outside 'Read-only file system'
 [ ! -e /tmp/firstlight_outside.pfm ] || failures=$((failures + 1))
 cheat "reads=$root/README.md" 'it printed last'

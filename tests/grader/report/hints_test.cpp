@@ -139,7 +139,8 @@ struct Answer {
 };
 
 Answer hint(const GraderFolder& folder, std::vector<std::string> arguments) {
-  process::Child child{{HINT_PROGRAM, "--config", folder.config()}, {}, {}, "", {}};
+  process::Child child{
+      {HINT_PROGRAM, "--root", FIRSTLIGHT_ROOT, "--work", folder.path() + "/work"}, {}, {}, "", {}};
   child.command.insert(child.command.end(), arguments.begin(), arguments.end());
   const process::CommandResult result = process::run_command(child, std::chrono::seconds(60));
   return {WEXITSTATUS(result.status), result.output};
@@ -177,7 +178,9 @@ TEST(hint_program, refuses_what_it_does_not_know) {
   const Answer task = hint(folder, {"hit_cone"});
   EXPECT_EQ(task.status, 2);
   EXPECT_EQ(task.text,
-            "'hit_cone' is not a task; choose one of hit_triangle, hit_sphere, build_bvh\n");
+            "'hit_cone' is not a task; choose one of estimate_pixel, camera_ray, hit_triangle, "
+            "hit_sphere, build_bvh, hit_box, hit_bvh, diffuse_bsdf, direct_hemisphere, "
+            "direct_lights, trace_path, adaptive_pixel\n");
   const Answer promise = hint(folder, {"hit_sphere", "is round"});
   EXPECT_EQ(promise.status, 2);
   EXPECT_THAT(promise.text, HasSubstr("hit_sphere does not promise 'is round'; choose one of: "));
