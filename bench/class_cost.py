@@ -101,7 +101,7 @@ def main():
         (here / "grade").chmod(0o755)
         os.symlink(options.grader.resolve() / "unpack", here / "unpack")
         out = options.keep or here / "out"
-        command = ["perf", "record", "-q", "-e", "cpu-clock", "-F", "1000", "-o", here / "perf", options.grader / "grade_class",
+        command = ["perf", "record", "-q", "-e", "cpu-clock", "-c", "1000000", "-o", here / "perf", options.grader / "grade_class",
                    options.classes, "--out", out, "--seed", "7", "--config", here / "grade.json", "--jobs", str(options.jobs), *more]
         with open(here / "said", "w", encoding="utf-8") as said:
             status = subprocess.run(command, stdout=said, stderr=said, check=False).returncode

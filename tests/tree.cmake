@@ -25,13 +25,13 @@ firstlight_script_test(link_lists quick rules/link_lists.py ${build})
 firstlight_script_test(edition rest commands/edition.sh)
 firstlight_script_test(editors rest commands/editors.sh)
 firstlight_script_test(run_setup rest commands/run_setup.sh)
+if(FIRSTLIGHT_SANITIZE)  # some of the programs are not built then
+  return()
+endif()
 firstlight_script_test(newest_text rest commands/newest_text.sh ARGUMENTS ${PROJECT_BINARY_DIR})
 firstlight_script_test(run_refuses quick commands/run_refuses.sh)
 firstlight_script_test(mixtures quick commands/mixtures.sh)
 firstlight_script_test(coverage quick commands/coverage.sh)
-if(FIRSTLIGHT_SANITIZE)  # some of the programs are not built then
-  return()
-endif()
 firstlight_script_test(walk quick commands/walk.sh ${build}
   NEEDS render export judge compare_picture view view_worker.reference compare check.hit_sphere.sanitized grade graded_programs hint grade_class)
 firstlight_script_test(help_pages rest commands/help.sh ${build} NEEDS grade grade_examples hint watch box render view compare generate writeup
