@@ -82,7 +82,6 @@ firstlight_test(four_bugs_test rest PLAIN PATHS SOURCES grader/tasks/four_bugs_t
 # `contained` runs a program under a filter of system calls like that of a container.
 if(TARGET PkgConfig::SECCOMP)
   add_executable(contained ${service}/sandbox/contained.cpp)
-  set_source_files_properties(${service}/sandbox/contained.cpp PROPERTIES COMPILE_OPTIONS "${FIRSTLIGHT_SECCOMP_FLAGS}")
   target_link_libraries(contained PRIVATE firstlight_options firstlight_warnings PkgConfig::SECCOMP)
   firstlight_test(tier_test rest PLAIN PATHS SOURCES ${service}/sandbox/tier_test.cpp LIBRARIES grader_submissions
     NEEDS grade graded_programs contained DEFINES FIRSTLIGHT_CONTAINED="$<TARGET_FILE:contained>")

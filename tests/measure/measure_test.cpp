@@ -200,7 +200,7 @@ TEST(charts, a_method_keeps_its_colour_unless_it_is_taken) {
   std::vector<std::string> taken;
   for (int i = 0; i < 5; ++i) taken.push_back(ink_of("half_b", taken));
   std::ranges::sort(taken);
-  EXPECT_EQ(std::ranges::unique(taken).begin(), taken.end());
+  EXPECT_EQ(std::unique(taken.begin(), taken.end()), taken.end());
   EXPECT_EQ(ink_of("half_b", taken), own);
 }
 
