@@ -49,7 +49,7 @@ Materials materials_for(const grader::build::Config& config, const Options& opti
 
 std::vector<Contest> compiled(const Materials& materials, const Options& options) {
   pt::Progress progress;
-  const auto contests =
+  std::vector<Contest> contests =
       find_contests(materials, options, [&](double part) { progress.show(part); });
   progress.clear();
   return contests;

@@ -52,8 +52,9 @@ void find_densities(Disk& disk) {
     DiskCell& cell = disk.cells[i];
     int inside = 0;
     for (int part = 0; part < kParts * kParts; ++part) {
-      const pt::Vec3 wi = direction_at(across(i % kDiskSide, (part % kParts + 0.5) / kParts),
-                                       up(i / kDiskSide, (part / kParts + 0.5) / kParts));
+      const int row = part / kParts, column = part % kParts;
+      const pt::Vec3 wi = direction_at(across(i % kDiskSide, (column + 0.5) / kParts),
+                                       up(i / kDiskSide, (row + 0.5) / kParts));
       if (!(wi.z > 0)) continue;
       ++inside;
       cell.density += diffuse_pdf(wo, wi) / wi.z;
@@ -65,8 +66,9 @@ void find_densities(Disk& disk) {
   constexpr int kSteps = 256;
   disk.stated.resize(kBlocks * kBlocks);
   for (int i = 0; i < kSteps * kSteps; ++i) {
-    const double z = (i / kSteps + 0.5) / kSteps;
-    const double phi = 2 * pt::kPi * (i % kSteps + 0.5) / kSteps;
+    const int row = i / kSteps, column = i % kSteps;
+    const double z = (row + 0.5) / kSteps;
+    const double phi = 2 * pt::kPi * (column + 0.5) / kSteps;
     const double r = std::sqrt(1 - z * z), x = r * std::cos(phi), y = r * std::sin(phi);
     const double part = diffuse_pdf(wo, {x, y, z}) * 2 * pt::kPi / (kSteps * kSteps);
     disk.pdf_sum += part;

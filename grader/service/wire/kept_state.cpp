@@ -26,6 +26,7 @@ FIRSTLIGHT_EDGE(end_of_bss, "__stop_firstlight_bss");
 }
 
 // The allocator of glibc, below malloc.
+// NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -33,6 +34,7 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 }
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace grader::wire {
 

@@ -68,7 +68,7 @@ TEST(welch, finds_no_difference_between_equal_pictures) {
   // At most one in a thousand: of 1,500 five or more with a chance of 2 %, eight or more of 1 in 10,000.
   EXPECT_LE(differing, 7);
   // The chance of every tenth of p is a tenth. Five standard deviations of each count; blocks of one pair are independent.
-  for (const int count : of_whole) EXPECT_NEAR(count, kPairs / 10, 5 * std::sqrt(kPairs * .09));
+  for (const int count : of_whole) EXPECT_NEAR(count, kPairs / 10., 5 * std::sqrt(kPairs * .09));
   for (const int count : of_blocks) EXPECT_NEAR(count, blocks / 10., 5 * std::sqrt(blocks * .09));
 }
 
