@@ -171,8 +171,11 @@ unsigned processor_mode() {
   return mode;
 }
 
-// Every form of new calls one of these functions of C. Sanitisers have their own.
+}  // namespace grader::wire
+
+// Every form of new calls one of the functions of C below. Sanitisers have their own.
 #if !defined(FIRSTLIGHT_SANITIZED)
+namespace grader::wire {
 namespace {
 
 void* noted(void* block, std::size_t size) {
@@ -184,11 +187,8 @@ void forget(void* block) {
 }
 
 }  // namespace
-#endif
-
 }  // namespace grader::wire
 
-#if !defined(FIRSTLIGHT_SANITIZED)
 extern "C" {
 void* malloc(std::size_t size) { return grader::wire::noted(__libc_malloc(size), size); }
 void* calloc(std::size_t count, std::size_t size) {
