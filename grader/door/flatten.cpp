@@ -90,7 +90,7 @@ class Flat {
     std::vector<std::string> places{fs::path(from).parent_path().generic_string() + '/'};
     places.insert(places.end(), kRoots.begin(), kRoots.end());
     for (const std::string& place : places) {
-      const std::string path = fs::path(place + name).lexically_normal().generic_string();
+      std::string path = fs::path(place + name).lexically_normal().generic_string();
       if (clone_.find(path) != nullptr) return path;
     }
     return "";

@@ -56,7 +56,8 @@ class Cells {
     const auto off = [&](int count) { return std::abs(count - even_); };
     const auto at = std::ranges::max_element(counts_, {}, off);
     const int i = static_cast<int>(at - counts_.begin());
-    const double size = 1.0 / side_, x = i % side_ * size, y = i / side_ * size;
+    const int column = i % side_, row = i / side_;
+    const double size = 1.0 / side_, x = column * size, y = row * size;
     return fmt::format(
         "{} points where {:.0f} are expected, {:.3f} to {:.3f} from the left and "
         "{:.3f} to {:.3f} from the bottom",

@@ -15,8 +15,8 @@ namespace grader::check::adaptive_pixel_inputs {
 
 class WildPixel : public WildInput {
  public:
-  WildPixel(WildRadiances radiances, const AdaptiveSettings& settings)
-      : radiances_(std::move(radiances)), settings_(settings) {}
+  WildPixel(const WildRadiances& radiances, const AdaptiveSettings& settings)
+      : radiances_(radiances), settings_(settings) {}
 
   // The judge's own mock answers radiance(), so that it has the record.
   Explanations ask(int n, std::uint64_t seed) const override {

@@ -48,7 +48,8 @@ inline rc::Gen<Rgb> any_albedo() {
 inline constexpr int kAlbedoKinds = 6, kFirstBright = 3;
 inline rc::Gen<Rgb> albedo_of_kind(int kind) {
   return rc::gen::exec([kind] {
-    if (kind < 3) return kind == 1 ? pt::gray(*real(0.1, 0.9)) : pt::gray(kind / 2);
+    if (kind == 1) return pt::gray(*real(0.1, 0.9));
+    if (kind < 3) return pt::gray(kind == 2 ? 1 : 0);
     Rgb albedo = 0.6 * *color();
     albedo[kind - 3] = *rc::gen::oneOf(real(0.7, 1), rc::gen::just(1.0));
     return albedo;

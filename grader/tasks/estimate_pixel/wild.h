@@ -15,7 +15,7 @@ namespace grader::check::estimate_pixel_inputs {
 
 class WildPixel : public WildInput {
  public:
-  WildPixel(WildRadiances radiances, int count) : radiances_(std::move(radiances)), count_(count) {}
+  WildPixel(const WildRadiances& radiances, int count) : radiances_(radiances), count_(count) {}
 
   // The judge's own mock answers radiance(), so that it has the record.
   Explanations ask(int n, std::uint64_t seed) const override {
