@@ -69,18 +69,18 @@ is_newest() { ! compile_learners_files "${@:2}" || bash "$root/scripts/ninja.sh"
 # configure PRESET: runs CMake with all mixtures of implementations that were asked for, if one is new or a file that CMake
 # read has changed. FIRSTLIGHT_WERROR=ON makes warnings errors. Returns 2 if CMake fails; explain_configure shows why.
 configure() {
-  local preset=$1 folder=$build/$1 told command=()
+  local preset=$1 folder=$build/$1 told words=()
   lock_tree
   told=$(settings)
   if ! has_settings "$preset"; then
-    command=(cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=${told% *}" "-DFIRSTLIGHT_WERROR=${told##* }")
+    words=(cmake -S "$root" --preset "$preset" "-DFIRSTLIGHT_MIXTURES=${told% *}" "-DFIRSTLIGHT_WERROR=${told##* }")
   elif ! nothing_to_do "$preset" build.ninja; then
-    command=(ninja -C "$folder" build.ninja)
+    words=(ninja -C "$folder" build.ninja)
   else
     return 0
   fi
   mkdir -p "$folder"
-  with_progress "configuring ($preset)" "$folder/configure.log" "${command[@]}" || return 2
+  with_progress "configuring ($preset)" "$folder/configure.log" "${words[@]}" || return 2
   printf '%s' "$told" >"$folder/settings"
   [ ! -e "$folder/not_compiled" ] || cat "$folder/not_compiled" >&2
 }
