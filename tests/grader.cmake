@@ -6,7 +6,7 @@ endforeach()
 firstlight_test(test_explain quick SOURCES grader/explain/direct_test.cpp grader/explain/path_test.cpp grader/explain/pixel_test.cpp
   LIBRARIES grader_explain)
 
-firstlight_test(test_recipes quick PATHS SOURCES grader/pictures/recipes_test.cpp LIBRARIES grader_recipe_scenes GTest::gmock)
+firstlight_test(test_recipes quick PATHS SOURCES grader/pictures/recipes_test.cpp LIBRARIES grader_judge_recipe GTest::gmock RADIANCE recorded)
 # Pictures and sample maps drawn from known distributions.
 firstlight_library(synthetic_pictures EXCLUDE_FROM_ALL grader/pictures/synthetic_maps.cpp grader/pictures/synthetic_pictures.cpp)
 target_link_libraries(synthetic_pictures PUBLIC grader_pictures)

@@ -79,7 +79,8 @@ Submitted as_source(Submitted file) {
   const std::string_view text = file.text;
   const bool is_wide = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
                        text.substr(0, 4).find('\0') != text.npos;
-  return is_wide ? Submitted{true, "the file is UTF-16 or UTF-32; save it as UTF-8", ""} : file;
+  if (is_wide) return {true, "the file is UTF-16 or UTF-32; save it as UTF-8", ""};
+  return file;
 }
 
 // The file at the end of a path of folders.

@@ -2,6 +2,7 @@
 
 #include "grader/pictures/goldens/make_golden.h"
 #include "grader/pictures/goldens/provenance.h"
+#include "grader/pictures/statistics/image_verdict.h"
 #include "pt/image/image_io.h"
 #include "pt/image/tone_map.h"
 #include "pt/math/uncertain.h"
@@ -81,11 +82,13 @@ std::string golden_table(const std::vector<Recipe>& recipes, const std::filesyst
     const GoldenFiles files = golden_files(folder, recipe.name);
     const Noise noise = noise_of(pt::read_exr(files.film));
     const Provenance provenance = read_provenance(files.provenance);
-    const int first_stage = recipe.adaptive ? 16 : recipe.noisy ? 256 : 64;
-    table += fmt::format("| {}{} | {} | {} | {:.2f}, {:.2f} | {:.2f} |\n", recipe.name,
-                         recipe.noisy ? " (noisy)" : "", recipe.title,
-                         fmt::join(recipe.tasks, ", "), noise.middle, noise.mean,
-                         provenance.cpu_seconds * first_stage / provenance.samples);
+    const Round first = recipe.adaptive
+                            ? kAdaptiveRounds[0]
+                            : rounds_of(recipe.noisy ? NoiseClass::noisy : NoiseClass::ordinary)[0];
+    table += fmt::format(
+        "| {}{} | {} | {} | {:.2f}, {:.2f} | {:.2f} |\n", recipe.name,
+        recipe.noisy ? " (noisy)" : "", recipe.title, fmt::join(recipe.tasks, ", "), noise.middle,
+        noise.mean, provenance.cpu_seconds * first.batches * first.samples / provenance.samples);
   }
   return table;
 }

@@ -11,6 +11,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -54,11 +56,13 @@ Rendered render(const Recipe& recipe, const pt::View& view, const RowRenderer& r
   return picture;
 }
 
-// Renders the batches of one round. For an adaptive recipe each batch is one run.
+// Renders the batches of one round, but for the first ones, which are there already. For an adaptive
+// recipe each batch is one run.
 Batches render_round(const Recipe& recipe, const pt::View& view, const RowRenderer& rows,
-                     const SeedSource& source, int round, int batches, int samples) {
-  Batches all{samples, {}};
-  for (int batch = 0; batch < batches; ++batch) {
+                     const SeedSource& source, int round, int batches, int samples,
+                     std::vector<pt::Image> first = {}) {
+  Batches all{samples, std::move(first)};
+  for (int batch = static_cast<int>(all.images.size()); batch < batches; ++batch) {
     const std::uint64_t seed = batch_seed(source, recipe, round, batch);
     all.images.push_back(render(recipe, view, rows, samples, seed).mean);
   }
@@ -155,12 +159,13 @@ void blacken(const std::vector<char>& where, pt::Film& film) {
   }
 }
 
-// Judges the sample map first, then the picture, in which a run counts as a sample.
+// Judges the sample map of one run, then the picture, in which a run counts as a sample. That run is
+// the first of the picture's first round.
 results::PictureResult judge_adaptive(const Recipe& recipe, const pt::View& view,
                                       const Rendering& rendering, const PictureFiles& files) {
   const SampleMapReference reference = read_reference(files.rates);
   const Rendered run =
-      render(recipe, view, rendering.rows, 1, batch_seed(rendering.source, recipe, 0, 0));
+      render(recipe, view, rendering.rows, 1, batch_seed(rendering.source, recipe, 1, 0));
   const SampleMapVerdict map = judge_sample_map(reference, run.counts);
   const pt::Film whole = read_golden(files.golden, recipe);
   pt::Film golden = whole;
@@ -168,8 +173,10 @@ results::PictureResult judge_adaptive(const Recipe& recipe, const pt::View& view
   ImageVerdict verdict = judge_image(
       golden, NoiseClass::ordinary,
       [&](int round, int batches, int samples) {
-        Batches all =
-            render_round(recipe, view, rendering.rows, rendering.source, round, batches, samples);
+        std::vector<pt::Image> first;
+        if (round == 1) first.push_back(run.mean);
+        Batches all = render_round(recipe, view, rendering.rows, rendering.source, round, batches,
+                                   samples, std::move(first));
         for (pt::Image& image : all.images) blacken(reference.dark_start, image);
         return all;
       },

@@ -29,8 +29,9 @@ struct Round {
 std::array<Round, 3> rounds_of(NoiseClass noise);
 
 // In an adaptive picture a sample is one whole run: the golden then holds the mean and the variance
-// between the reference's runs, and `samples` counts those runs.
-inline constexpr std::array<Round, 3> kAdaptiveRounds{{{16, 1}, {16, 1}, {16, 1}}};
+// between the reference's runs, and `samples` counts those runs. A run has a hundred samples per pixel
+// and more, so that six of them say more than the first round of another picture.
+inline constexpr std::array<Round, 3> kAdaptiveRounds{{{6, 1}, {8, 1}, {16, 1}}};
 
 // The chance that a right picture has a failing cell in each round, all cells together.
 inline constexpr std::array<double, 3> kRoundLevels{1e-2, 2e-3, 2e-3};

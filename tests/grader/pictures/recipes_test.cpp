@@ -1,7 +1,9 @@
 #include "grader/pictures/recipes/recipes.h"
 
+#include "grader/pictures/recipes/judge_recipe.h"
 #include "pt/error.h"
 #include "pt/file.h"
+#include "pt/image/sample_map.h"
 #include "tests/fixtures/pixels_depend_on.h"
 
 #include <algorithm>
@@ -10,7 +12,9 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -221,6 +225,36 @@ TEST(Recipes, judge_every_task_by_a_few_pictures) {
       EXPECT_GE(pictures[task], 1) << task;
     }
   }
+}
+
+// Renders nothing: the first round of six runs is asked for, with random numbers of their own, and the
+// first run's counts are the sample map.
+TEST(judge_recipe, asks_for_six_runs_of_an_adaptive_picture) {
+  const std::vector<Recipe> recipes = load_recipes(kRoot / "scenes/recipes.json");
+  const Recipe& recipe = find(recipes, "adaptive_odd");
+  std::map<std::uint64_t, int> rows_of_seeds;
+  std::vector<std::uint64_t> seeds;
+  const RowRenderer rows = [&](const pt::View&, const pt::RowsRequest& asked) {
+    if (rows_of_seeds[asked.seed] == 0) seeds.push_back(asked.seed);
+    rows_of_seeds[asked.seed] += asked.rows;
+    const std::size_t pixels = static_cast<std::size_t>(asked.rows) * recipe.width;
+    const int run = static_cast<int>(seeds.size());
+    return pt::PictureRows{
+        std::vector(pixels, pt::gray(run)), std::vector<int>(pixels, 16 * run), {}};
+  };
+  const fs::path folder = fs::temp_directory_path() / fmt::format("runs.{}", getpid());
+  fs::create_directories(folder);
+  const fs::path golden = kRoot / "golden" / recipe.name;
+  const results::PictureResult result = judge_recipe(
+      recipe, {rows, pt::Engine::linear, {"x", 1}, 1},
+      {golden.string() + ".exr", golden.string() + "_rates.json", folder / "render.exr",
+       folder / "evidence.exr", folder / "counts.csv", folder / "usual.csv"});
+  EXPECT_EQ(result.samples, 6);
+  EXPECT_EQ(seeds.size(), 6u);
+  for (const auto& [seed, asked] : rows_of_seeds) EXPECT_EQ(asked, recipe.height);
+  EXPECT_EQ(pt::read_counts(folder / "counts.csv").counts,
+            std::vector<int>(static_cast<std::size_t>(recipe.width) * recipe.height, 16));
+  fs::remove_all(folder);
 }
 
 }  // namespace
