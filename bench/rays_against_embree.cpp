@@ -182,10 +182,9 @@ std::vector<Goal> compare_rays(const BenchSettings& settings, const std::vector<
     of_blobs.push_back(compare(test, settings, csv));
     add_goals(of_blobs.back(), goals);
   }
-  for (const std::string& file : files) {
-    TestScene test = file_scene(file, 480, 360);
-    add_goals(compare(test, settings, csv), goals);
-  }
+  std::vector<TestScene> others{needles_scene(10000)};
+  for (const std::string& file : files) others.push_back(file_scene(file, 480, 360));
+  for (TestScene& test : others) add_goals(compare(test, settings, csv), goals);
   for (std::size_t i = 2; i < of_blobs.size(); ++i) {
     goals.push_back(growth(of_blobs.front(), of_blobs[i]));
   }

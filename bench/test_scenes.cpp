@@ -55,12 +55,13 @@ void add_shadow_rays(const Scene& scene, const SurfacePoint& point, Sampler& sam
 
 }  // namespace
 
-TestScene blob_scene(int triangles) {
+namespace {
+
+TestScene in_a_box(const std::string& name, std::vector<Triangle> triangles) {
   TestScene result;
-  result.name = "blob " + std::to_string(triangles);
+  result.name = name;
   Scene& scene = result.scene;
-  const int rows = std::max(3, static_cast<int>(std::sqrt(triangles / 4.0)));
-  scene.primitives.triangles = blob(rows, 0.2);
+  scene.primitives.triangles = std::move(triangles);
   scene.material_of.assign(scene.primitives.triangles.size(), 0);
   scene.materials = {{"white", {.7, .7, .7}, {}, {}},
                      {"red", {.6, .1, .1}, {}, {}},
@@ -73,6 +74,26 @@ TestScene blob_scene(int triangles) {
       RectangleLight{corner + 0.5 * u + 0.5 * v, u, v, {0, -1, 0}, {10, 10, 10}});
   result.camera = {{0, 0, 5.5}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 45, 34.5, 0, kInfinity};
   return result;
+}
+
+}  // namespace
+
+TestScene blob_scene(int triangles) {
+  const int rows = std::max(3, static_cast<int>(std::sqrt(triangles / 4.0)));
+  return in_a_box("blob " + std::to_string(triangles), blob(rows, 0.2));
+}
+
+TestScene needles_scene(int triangles) {
+  Sampler sampler(2);
+  const auto number = [&] { return 2 * sampler.next_1d() - 1; };
+  std::vector<Triangle> needles;
+  for (int i = 0; i < triangles; ++i) {
+    const Vec3 at{number(), number(), number()};
+    const Vec3 along = 0.4 * uniform_hemisphere(sampler.next_2d());
+    const Vec3 across = 0.004 * uniform_hemisphere(sampler.next_2d());
+    needles.push_back(flat_triangle(at - along, at + along, at + along + across));
+  }
+  return in_a_box("needles " + std::to_string(triangles), std::move(needles));
 }
 
 TestScene file_scene(const std::string& file, int width, int height) {

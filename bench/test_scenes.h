@@ -19,6 +19,10 @@ struct TestScene {
 // A bumpy blob of about `triangles` triangles in a Cornell box, under a rectangular light.
 TestScene blob_scene(int triangles);
 
+// The same box with so many triangles a hundred times as long as wide, in all directions: the boxes around
+// them hold next to nothing else.
+TestScene needles_scene(int triangles);
+
 // A scene file with the course's framing. Materials outside the model become diffuse.
 TestScene file_scene(const std::string& file, int width, int height);
 

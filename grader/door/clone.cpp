@@ -110,7 +110,7 @@ std::size_t take_number(std::string_view& rest) {
 std::string take_text(std::string_view& rest) {
   const std::size_t size = take_number(rest);
   if (size > rest.size()) throw pt::Error("this is not a packed clone");
-  const std::string text(rest.substr(0, size));
+  std::string text(rest.substr(0, size));
   rest.remove_prefix(size);
   return text;
 }

@@ -9,7 +9,6 @@
 namespace grader::check {
 
 using pt::Rgb;
-using pt::Vec3;
 
 namespace {
 

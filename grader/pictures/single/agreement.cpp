@@ -231,7 +231,7 @@ Agreement compare(const pt::Image& picture, const OwnPictures& own) {
     return measured(picture, own, luminances(own.mean),
                     static_cast<double>(own.pictures.size()) * own.taken, farthest);
   };
-  const Agreement first = against({});
+  Agreement first = against({});
   if (first.agrees() || first.worst.evidence > kBeyondDoubt) return first;
   return against(farthest_of(own));
 }

@@ -60,7 +60,8 @@ std::array<Plane, 3> opponents(const pt::Image& image) {
 Plane weights(double reach, const std::function<double(double)>& at) {
   Plane all;
   double above = 0, below = 1e-300;
-  for (double x = -std::ceil(reach); x <= reach + 1; ++x) all.push_back(at(x));
+  const int most = static_cast<int>(std::ceil(reach));
+  for (int x = -most; x <= most; ++x) all.push_back(at(x));
   for (const double w : all) (w > 0 ? above : below) += std::abs(w);
   for (double& w : all) w /= w > 0 ? above : below;
   return all;

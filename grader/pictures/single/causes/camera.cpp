@@ -84,11 +84,13 @@ Fit fitted(const Pair& pair) {
     }
   }
   least = difference(pair, best, 1);
-  for (double by = std::pow(kMost, 0.5 / kSteps) - 1; by > 2e-4; by /= 2) {
+  double by = std::pow(kMost, 0.5 / kSteps) - 1;
+  while (by > 2e-4) {
     const Zoom centre = best;
     for (const double x : {-by, 0.0, by}) {
       for (const double y : {-by, 0.0, by}) consider({centre.x * (1 + x), centre.y * (1 + y)}, 1);
     }
+    by /= 2;
   }
   return {best, least / difference(pair, {}, 1)};
 }

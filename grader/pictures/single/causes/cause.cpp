@@ -17,8 +17,8 @@ std::string cause_of(const SinglePicture& picture, const SingleQuestion& questio
   suspect_light(suspects);
   suspect_objects(suspects, verdict);
   suspect_pixels(suspects, verdict);
-  if (const std::string named = suspects.named(); !named.empty()) return named;
-  if (const std::string repeated = repeated_samples(verdict); !repeated.empty()) return repeated;
+  if (std::string named = suspects.named(); !named.empty()) return named;
+  if (std::string repeated = repeated_samples(verdict); !repeated.empty()) return repeated;
   suspect_field_of_view(suspects);
   return suspects.named();
 }
