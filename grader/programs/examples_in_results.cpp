@@ -36,7 +36,7 @@ json counts_of(const build::Config& config, const std::string& config_path,
       {command, sandbox::judges_environment(), {}, "", {}}, process::kProgramTime);
   if (!result.ok())
     throw pt::Error("the examples could not be judged: " + process::fault_of(result));
-  const json counts = base::parse_json(pt::read_file(path), path);
+  json counts = base::parse_json(pt::read_file(path), path);
   std::filesystem::remove(path);
   return counts;
 }

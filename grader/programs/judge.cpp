@@ -82,8 +82,8 @@ std::vector<pictures::Recipe> recipes_of(const fs::path& scene, const Options& o
 
 pt::Film golden_of(const pictures::Recipe& recipe, const Options& options) {
   pt::Progress progress;
-  const pt::Film golden = renderers::golden_of(recipe, options.work / "goldens", options.threads,
-                                               [&](double part) { progress.show(part); });
+  pt::Film golden = renderers::golden_of(recipe, options.work / "goldens", options.threads,
+                                         [&](double part) { progress.show(part); });
   progress.clear();
   return golden;
 }

@@ -45,7 +45,7 @@ std::string unknown_placeholder(const std::vector<std::string>& command) {
     for (std::size_t open = word.find('{'); open != word.npos; open = word.find('{', open + 1)) {
       const std::size_t close = word.find_first_not_of("abcdefghijklmnopqrstuvwxyz", open + 1);
       if (close == word.npos || word[close] != '}' || close == open + 1) continue;
-      const std::string found = word.substr(open, close + 1 - open);
+      std::string found = word.substr(open, close + 1 - open);
       if (std::ranges::find(kPlaceholders, found) == std::end(kPlaceholders)) return found;
     }
   }
