@@ -79,7 +79,7 @@ Found canvas_among(const std::string& name, const Numbers& certain) {
   };
   if (Found label = anonymous(name)) return label;
   for (std::size_t at = name.find('_'); at != name.npos; at = name.find('_', at + 1)) {
-    const Found first = canvas_at(name, at);
+    Found first = canvas_at(name, at);
     if (!first) continue;
     const Found second = first->late ? Found() : canvas_at(name, at + 1 + first->id.size());
     if (!second) return first;
