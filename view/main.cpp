@@ -19,7 +19,8 @@
 #include <spawn.h>
 #include <unistd.h>
 
-extern char** environ;  // macOS has it in no header
+// macOS has it in no header.
+extern char** environ;  // NOLINT(readability-redundant-declaration)
 
 namespace view {
 namespace {

@@ -18,7 +18,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char** environ;  // macOS has it in no header
+// macOS has it in no header.
+extern char** environ;  // NOLINT(readability-redundant-declaration)
 
 namespace grader::process {
 

@@ -102,7 +102,7 @@ Words disable_userns() {
 }
 
 // The folders above visible paths. Bubblewrap would close them to another user.
-Words open_folders(Words shown) {
+Words open_folders(const Words& shown) {
   std::set<fs::path> folders;
   for (const std::string& path : shown) {
     for (fs::path above = fs::path(path).parent_path(); above.has_relative_path();
