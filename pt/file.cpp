@@ -38,7 +38,7 @@ fs::path real_target(const fs::path& path) {
   check_place(path);
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
-  const fs::path target = fs::weakly_canonical(path, error);
+  fs::path target = fs::weakly_canonical(path, error);
   if (error) fail("cannot write", path, error.message());
   return target;
 }

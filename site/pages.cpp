@@ -60,7 +60,7 @@ class Site {
     find_pages();
     copy_shared();
     for (const std::string& page : pages_) write_text(page);
-    while (!contracts_.empty()) write_contract(*contracts_.begin());
+    while (!contracts_.empty()) write_contract(contracts_.extract(contracts_.begin()).value());
   }
 
  private:
@@ -183,9 +183,7 @@ class Site {
     return html;
   }
 
-  void write_contract(const std::string& page) {
-    const std::string path = page;
-    contracts_.erase(page);
+  void write_contract(const std::string& path) {
     written_.insert(path);
     const std::string text = pt::read_file(sources_.root / path);
     write_page(path, path,

@@ -26,7 +26,7 @@ const char* kFooter =
 
 // A mistake of the task: its folder in the whole project, its object in a handout.
 fs::path mistake_named(const fs::path& root, const std::string& slug, const std::string& name) {
-  const fs::path folder = root / "build/mistakes" / slug / name;
+  fs::path folder = root / "build/mistakes" / slug / name;
   if (fs::is_directory(folder)) return folder;
   return root / "reference-objects/mistakes" / (slug + "." + name + ".o");
 }

@@ -73,7 +73,8 @@ class Builder {
   // The number of blocks, full but for the last. In a range that fits one block, each primitive
   // counts: it is only split where parts of it are to be other blocks.
   float leaf_cost(std::uint32_t count) const {
-    return static_cast<float>((count + unit_ - 1) / unit_);
+    const std::uint32_t blocks = (count + unit_ - 1) / unit_;
+    return static_cast<float>(blocks);
   }
 
   // The cheapest cut of one axis, seen from both sides: the boxes of all bins to the right of each

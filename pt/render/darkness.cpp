@@ -46,8 +46,8 @@ Reach reach_of_view(const View& view, const Tracer& tracer) {
   Sampler sampler(1);
   Reach reach;
   for (int i = 0; i < kRays * kRays; ++i) {
-    const Ray seen =
-        look_through(view.camera, (i % kRays + 0.5) / kRays, (i / kRays + 0.5) / kRays);
+    const int row = i / kRays;
+    const Ray seen = look_through(view.camera, (i % kRays + 0.5) / kRays, (row + 0.5) / kRays);
     Ray ray = seen;
     ray.t_min = 0;
     ray.t_max = kInfinity;

@@ -90,7 +90,8 @@ std::vector<double> distances_seen(const Camera& camera, const Primitives& primi
   const WideBvh tree = WideBvh::build(primitives);
   std::vector<double> distances;
   for (int i = 0; i < kRays * kRays; ++i) {
-    const Ray ray = look_through(camera, (i % kRays + 0.5) / kRays, (i / kRays + 0.5) / kRays);
+    const int row = i / kRays;
+    const Ray ray = look_through(camera, (i % kRays + 0.5) / kRays, (row + 0.5) / kRays);
     if (const std::optional<Hit> hit = tree.closest(primitives, ray)) distances.push_back(hit->t);
   }
   return distances;

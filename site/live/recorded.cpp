@@ -5,10 +5,10 @@
 #include "pt/tasks/hit_sphere.h"
 
 #define hit_box hit_box_of_the_reference
-#include "reference/2_bvh/hit_box.cpp"
+#include "reference/2_bvh/hit_box.cpp"  // NOLINT(bugprone-suspicious-include)
 #undef hit_box
 #define hit_sphere hit_sphere_of_the_reference
-#include "reference/1_rays/hit_sphere.cpp"
+#include "reference/1_rays/hit_sphere.cpp"  // NOLINT(bugprone-suspicious-include)
 #undef hit_sphere
 
 namespace pt {

@@ -130,7 +130,7 @@ bool is_set_of_faces(const XMLElement& element) {
 Faces read_faces(const Document& document, const XMLElement& set, int stride) {
   const std::string_view kind = set.Name();
   const bool is_one_list = kind == "polylist" || kind == "triangles";
-  const Faces faces =
+  Faces faces =
       is_one_list ? read_one_list(document, set, stride) : read_lists(document, set, stride);
   check_face_count(document, set, faces.corners.size());
   check_sizes(document, set, faces, stride);

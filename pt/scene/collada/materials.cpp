@@ -42,10 +42,10 @@ const XMLElement* find_param(const XMLElement* parent, const char* kind, const c
 // A material sets a parameter that its effect declares: in the technique, the profile or the effect.
 const XMLElement* find_param(const Shader& shader, std::string_view name) {
   const XMLElement* found = find_param(shader.instance, "setparam", "ref", name);
-  const tinyxml2::XMLNode* scope = shader.shader->Parent();
-  while (found == nullptr && scope != nullptr && scope->ToElement() != nullptr) {
+  const tinyxml2::XMLNode* scope = shader.shader;
+  while (found == nullptr && scope != nullptr && scope != shader.effect) {
+    scope = scope->Parent();
     found = find_param(scope->ToElement(), "newparam", "sid", name);
-    scope = scope == shader.effect ? nullptr : scope->Parent();
   }
   return found;
 }
