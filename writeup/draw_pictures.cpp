@@ -57,7 +57,8 @@ std::string bias_text(const pt::Uncertain& bias) {
 // "error 7.45 ± 0.27 %", or "error 51.2 ± 0.3 %: 9.5 % noise, and 50 % too dark". Pixels that stop when they look good have
 // variances that are too small, so the noise of an adaptive picture is not told.
 std::string accuracy_text(const pt::Accuracy& accuracy, bool adaptive) {
-  const std::string text = "error " + error_text(accuracy.error), bias = bias_text(accuracy.bias);
+  std::string text = "error " + error_text(accuracy.error);
+  const std::string bias = bias_text(accuracy.bias);
   if (adaptive) return text + (bias.empty() ? "" : ", " + bias);
   if (!accuracy.is_wrong()) return text;
   const std::string off = fmt::format("{} % wrong in some places",

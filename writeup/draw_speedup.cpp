@@ -52,7 +52,7 @@ Cell measured(const Plan& plan, const std::string& scene, pt::Engine engine) {
   Cell cell = measured_once(plan, scene, engine, 0);
   double sum = cell.seconds, squares = cell.seconds * cell.seconds;
   for (int turn = 1; turn < kTurns && cell.problem.empty(); ++turn) {
-    const Cell again = measured_once(plan, scene, engine, turn);
+    Cell again = measured_once(plan, scene, engine, turn);
     if (!again.problem.empty()) return again;
     sum += again.seconds;
     squares += again.seconds * again.seconds;

@@ -24,7 +24,7 @@ std::string mark(std::size_t figure) { return fmt::format("\uE000{}\uE001", figu
 const std::string kUnmeasured = "\uE002", kUntrue = "\uE003";
 
 std::string number_of(const std::string& name, const Names& names, const std::string& place) {
-  const std::string number = names.number(name);
+  std::string number = names.number(name);
   if (number.empty()) throw pt::Error(fmt::format("{}: there is no number '{}'", place, name));
   return number;
 }

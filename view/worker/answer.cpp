@@ -135,7 +135,7 @@ Answer Answers::disk(const Query& query) {
   Query of_settings = query;
   const auto taken = [&](const char* name) {
     const auto found = of_settings.find(name);
-    const std::string word = found == of_settings.end() ? "" : found->second;
+    std::string word = found == of_settings.end() ? "" : found->second;
     of_settings.erase(name);
     return word;
   };

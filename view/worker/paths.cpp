@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 namespace view {
@@ -71,8 +72,8 @@ Draw hemisphere_draw(const pt::Scene& scene, const pt::SurfacePoint& point, cons
 }
 
 Bounce* bounce_at(Path& path, pt::Vec3 p) {
-  for (auto bounce = path.bounces.rbegin(); bounce != path.bounces.rend(); ++bounce) {
-    if (bounce->point.p == p) return &*bounce;
+  for (Bounce& bounce : std::views::reverse(path.bounces)) {
+    if (bounce.point.p == p) return &bounce;
   }
   return nullptr;
 }

@@ -38,7 +38,7 @@ struct Options {
   int mixtures = 0, mixtures_with_pictures = 0;
   int variant_seeds = 0;
   int reference_seeds = 0, reference_seeds_with_pictures = 0;
-  int first_seed = 1;
+  std::uint64_t first_seed = 1;
   int busy = 0;
   int threads = 2;
   std::vector<std::string> tasks;  // variants of these; empty: of all
@@ -106,11 +106,11 @@ std::vector<RightJob> variant_jobs(const Choices& choices, const std::vector<std
 }
 
 // All files of a task are equally likely. A number means the same mixture until a file is added.
-RightJob mixture_job(const Choices& choices, int number) {
+RightJob mixture_job(const Choices& choices, std::uint64_t number) {
   RightJob job;
   job.kind = "mixture";
   job.name = std::to_string(number);
-  job.seed = 1000 + static_cast<std::uint64_t>(number);
+  job.seed = 1000 + number;
   pt::Sampler sampler(job.seed);
   for (const auto& [slug, files] : choices) {
     const double place = sampler.next_1d() * static_cast<double>(files.size());
@@ -124,7 +124,7 @@ RightJob mixture_job(const Choices& choices, int number) {
 std::vector<RightJob> find_jobs(const build::Config& config, const Options& options) {
   const Choices choices = right_choices(config);
   std::vector<RightJob> jobs;
-  const auto seed_of = [&](int i) { return static_cast<std::uint64_t>(options.first_seed + i); };
+  const auto seed_of = [&](int i) { return options.first_seed + i; };
   for (int i = 0; i < options.variant_seeds; ++i) {
     for (RightJob& job : variant_jobs(choices, options.tasks, seed_of(i)))
       jobs.push_back(std::move(job));

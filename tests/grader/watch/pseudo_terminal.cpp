@@ -55,7 +55,7 @@ std::string PseudoTerminal::expect(const std::string& text) {
     unread_.append(buffer, static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
   }
   const std::size_t end = unread_.find(text) + text.size();
-  const std::string seen = unread_.substr(0, end);
+  std::string seen = unread_.substr(0, end);
   unread_.erase(0, end);
   return seen;
 }

@@ -7,10 +7,10 @@
 // The program links the version of a task in fast/ if there is one. The plain version from
 // reference/ gets another name here, so that the two can be compared.
 #define direct_lights plain_direct_lights
-#include "reference/3_direct/direct_lights.cpp"
+#include "reference/3_direct/direct_lights.cpp"  // NOLINT(bugprone-suspicious-include)
 #undef direct_lights
 #define camera_ray plain_camera_ray
-#include "reference/1_rays/camera_ray.cpp"
+#include "reference/1_rays/camera_ray.cpp"  // NOLINT(bugprone-suspicious-include)
 #undef camera_ray
 
 namespace pt::proof {
@@ -41,7 +41,8 @@ std::vector<SurfacePoint> points_of(const Scene& scene) {
   camera.hfov_deg = camera.vfov_deg = 80;
   std::vector<SurfacePoint> points;
   for (int i = 0; i < 64; ++i) {
-    const Ray ray = camera_ray(camera, (i % 8 + 0.5) / 8, (i / 8 + 0.5) / 8);
+    const int row = i / 8;
+    const Ray ray = camera_ray(camera, (i % 8 + 0.5) / 8, (row + 0.5) / 8);
     if (const std::optional<Hit> hit = scene.closest(ray)) {
       points.push_back(surface_point(scene, ray, *hit));
     }

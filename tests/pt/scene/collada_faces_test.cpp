@@ -117,7 +117,8 @@ TEST(Faces, with_many_holes_of_any_shape_leave_all_open) {
     };
     add_star({1.5, 1.5, 0}, 8, 20);
     for (int i = 0; i < 16; ++i) {
-      if (sampler.next_1d() < .6) add_star({double(i % 4), double(i / 4), 0}, .05, .45);
+      const int x = i % 4, y = i / 4;
+      if (sampler.next_1d() < .6) add_star({double(x), double(y), 0}, .05, .45);
     }
     expect_covered_but_holes(corners, rings, area);
   }

@@ -112,8 +112,8 @@ inline SceneText with_material(SceneText text, const std::string& id, const std:
 }
 
 inline std::filesystem::path scratch_file(const std::string& content) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) /
-                                     ("collada_" + std::to_string(getpid()) + ".dae");
+  std::filesystem::path file = std::filesystem::path(::testing::TempDir()) /
+                               ("collada_" + std::to_string(getpid()) + ".dae");
   std::ofstream(file, std::ios::binary) << content;
   return file;
 }

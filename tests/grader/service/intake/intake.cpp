@@ -134,7 +134,7 @@ void Intake::expect_the_same_at_the_other_doors(const fs::path& input,
     const fs::path& path = entry.path();
     const auto row = all.find(entry.is_directory() ? path.filename() : path.stem());
     const bool is_work = entry.is_directory() || is_archive(path.filename());
-    if (!is_work || entry.is_symlink() || row == all.end() || row->second.id != "") continue;
+    if (!is_work || entry.is_symlink() || row == all.end() || !row->second.id.empty()) continue;
     // Whose row it is, is not known here.
     const bool is_one_of_two = row->second.problem.starts_with("there is another");
     if (is_one_of_two || all.contains(row->first + " (2)")) continue;

@@ -42,7 +42,7 @@ struct Blame : testing::Test {
     results.tasks.emplace_back().slug = "trace_path";
     results.tasks[0].state = state;
     results.tasks[0].pictures.push_back(picture);
-    const std::string path = fmt::format("{}/{}.json", config.work, text);
+    std::string path = fmt::format("{}/{}.json", config.work, text);
     results::write_json(results, path);
     return path;
   }
