@@ -53,10 +53,7 @@ void add_shadow_rays(const Scene& scene, const SurfacePoint& point, Sampler& sam
   }
 }
 
-}  // namespace
-
-namespace {
-
+// The triangles in the box, under its light.
 TestScene in_a_box(const std::string& name, std::vector<Triangle> triangles) {
   TestScene result;
   result.name = name;
