@@ -21,29 +21,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A few rows of a picture may take this many times the limit of a call.
+constexpr int kPatience = 5;
+
 std::vector<std::string> command(const build::Config& config, const GradeRequest& request,
                                  const PictureTrial& trial) {
-  std::vector<std::string> words{config.picture,
-                                 "--worker",
-                                 trial.worker.path,
-                                 "--task",
-                                 trial.task.slug,
-                                 "--recipes",
-                                 config.root + "/scenes/recipes.json",
-                                 "--goldens",
-                                 config.root + "/golden",
-                                 "--recipe",
-                                 trial.recipe.name,
-                                 "--content",
-                                 base::sha256(trial.content),
-                                 "--seed",
-                                 std::to_string(request.seed),
-                                 "--rounds",
-                                 std::to_string(trial.rounds),
-                                 "--call-limit",
-                                 std::to_string(trial.patience * request.call_limit),
-                                 "--isolation",
-                                 std::string(1, sandbox::letter(request.isolation.tier))};
+  std::vector<std::string> words{
+      config.picture,
+      "--worker",
+      trial.worker.path,
+      "--task",
+      trial.task.slug,
+      "--recipes",
+      config.root + "/scenes/recipes.json",
+      "--goldens",
+      config.root + "/golden",
+      "--recipe",
+      trial.recipe.name,
+      "--content",
+      base::sha256(trial.content),
+      "--seed",
+      std::to_string(request.seed),
+      "--rounds",
+      trial.known_wrong ? "1" : "3",
+      "--call-limit",
+      std::to_string((trial.known_wrong ? 1 : kPatience) * request.call_limit),
+      "--isolation",
+      std::string(1, sandbox::letter(request.isolation.tier))};
   if (trial.integrated) words.push_back("--integrated");
   return words;
 }

@@ -6,9 +6,6 @@
 
 namespace grader::judging {
 
-// A few rows of a picture may take this many times the limit of a call.
-inline constexpr int kPatience = 5;
-
 // One recipe on one worker.
 struct PictureTrial {
   const pictures::Recipe& recipe;
@@ -16,8 +13,8 @@ struct PictureTrial {
   const build::Built& worker;
   std::string content;  // a hash of the judged files; equal on every machine
   bool integrated = false;
-  int rounds = 3;  // at most
-  int patience = kPatience;
+  // Then there is one round, and little time: a wrong task may visit every box of a large tree.
+  bool known_wrong = false;
 };
 
 // A recipe's result before it is rendered, and one that says why there is no picture.

@@ -200,19 +200,18 @@ class Gallery {
     return trial(recipe, task, by_itself(task), task.content, false);
   }
 
-  // A picture of a wrong task gets one round and little time: it may visit every box of a large tree.
   results::PictureResult look_at(const pictures::Recipe& recipe, const Judged& task) const {
-    return trial(recipe, task, by_itself(task), task.content, false, 1, 1);
+    return trial(recipe, task, by_itself(task), task.content, false, true);
   }
 
   results::PictureResult trial(const pictures::Recipe& recipe, const Judged& task,
                                const build::Built& worker, const std::string& content,
-                               bool integrated, int rounds = 3, int patience = kPatience) const {
+                               bool integrated, bool known_wrong = false) const {
     if (!worker.ok()) {
       return without_picture(recipe, results::State::fail, "it does not link: " + worker.error);
     }
     return try_picture(config_, builder_, request_,
-                       {recipe, *task.config, worker, content, integrated, rounds, patience});
+                       {recipe, *task.config, worker, content, integrated, known_wrong});
   }
 
   void put(Judged& task, const results::PictureResult& found) {
