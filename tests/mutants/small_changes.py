@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """small_changes.py BUILD [TASK]... [--guards | --pairs N --seed S] [--list] [--jobs N]
 
-Tries every small change of right code: the reference of a task, and two more right solutions. Each operator, comparison,
-constant, sign, order of arguments, index, condition, statement and variable is changed alone (King and Offutt 1991, A Fortran
-Language System for Mutation-based Software Testing), and the promises must find it.
+Tries every small change of right code: the reference of a task, and the right solutions that small_changes.txt names. Each
+operator, comparison, constant, sign, order of arguments, index, condition, statement and variable is changed alone (King and
+Offutt 1991, A Fortran Language System for Mutation-based Software Testing), and the promises must find it.
 
 A change that no promise finds is printed in the form of small_changes.txt. It is one of three: the same function (keep it there, below
 the reason), within the contract's precision (as well), or a mistake that escapes: then a promise needs better inputs. A change
@@ -37,7 +37,7 @@ import textwrap
 
 import guards
 from edits_of_tokens import changed_files
-from reasons import ROOT, reasons, shown
+from reasons import ROOT, TABLE, reasons, shown
 
 SECONDS = 2  # of processor time that a program may take, and four times what it takes unchanged
 TOGETHER = 100  # changes in one program
@@ -183,8 +183,10 @@ def good(texts, bad):
 
 
 def bases_of(slug):
-    """The reference of a task, and two more right solutions."""
-    return list(ROOT.glob(f"reference/*/{slug}.cpp")) + sorted((ROOT / "grader/tasks" / slug / "right").glob("*.cpp"))[:2]
+    """The reference of a task, and the right solutions that have a heading in small_changes.txt."""
+    named = {line[3:] for line in TABLE.read_text().splitlines() if line.startswith("== ")}
+    right = sorted((ROOT / "grader/tasks" / slug / "right").glob("*.cpp"))
+    return list(ROOT.glob(f"reference/*/{slug}.cpp")) + [file for file in right if str(file.relative_to(ROOT)) in named]
 
 
 def changes_of(source, options):
