@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 namespace view {
@@ -72,10 +71,9 @@ Draw hemisphere_draw(const pt::Scene& scene, const pt::SurfacePoint& point, cons
 }
 
 Bounce* bounce_at(Path& path, pt::Vec3 p) {
-  for (Bounce& bounce : std::views::reverse(path.bounces)) {
-    if (bounce.point.p == p) return &bounce;
-  }
-  return nullptr;
+  const auto found = std::find_if(path.bounces.rbegin(), path.bounces.rend(),
+                                  [&](const Bounce& bounce) { return bounce.point.p == p; });
+  return found == path.bounces.rend() ? nullptr : &*found;
 }
 
 // Returns whether a ray leaves a point, but for the offset of its origin.
