@@ -16,7 +16,7 @@ mkdir -p "$(dirname "$folder")"
 half=$(mktemp -d "$folder.XXXXXX")
 trap 'rm -rf "$half"' EXIT
 mkdir "$half/image"
-edition_files "$only_for_us"'|\.png$|^(view|writeup)/' | copy_files "$half/image"
+edition_files "$only_for_us"'|\.png$|^(measure|view|writeup)/' | copy_files "$half/image"
 copy_known "$build" "$half/image"
 { git ls-files reference fast 2>/dev/null | grep . || find reference fast -type f; } | copy_files "$half/image"
 # The image has no solutions, by which examples are judged.

@@ -2,7 +2,7 @@
 # Makes what platforms grade with, and looks at what each of them takes. Then it unpacks and runs the archive for Gradescope
 # as Gradescope does, in its own folder: the reference gets its points, flat files too, a stub gets none, and a stopped run
 # leaves valid results.
-# autograder.sh BUILD [made]: makes the folder in BUILD; made: runs nothing. Skipped (77) without root.
+# autograder.sh BUILD [made]: makes the folder in BUILD; made: only configures what is in it. Skipped (77) without root.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 export FIRSTLIGHT_AUTOGRADER=$1/autograder
@@ -59,6 +59,8 @@ assert sum(map(float, problems.values())) > 200, problems
 END
 bash -n "$autograder/made/artemis/build_script.sh"
 if [ "${2:-}" = made ]; then
+  (cd "$autograder/source" && cmake --preset check) >"$autograder/log" 2>&1 ||
+    complain "the image cannot be configured:" "$(cat "$autograder/log")"
   rm -rf "$autograder"
   exit
 fi

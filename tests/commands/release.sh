@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes a release twice: the same bytes. Its archive is unpacked in another place, and grades there with what is compiled in it.
+# Makes a release twice: the same bytes. Its archive has no line of a solution, is unpacked in another place, and grades there with
+# what is compiled in it.
 # release.sh BUILD: its compiled parts are taken. The image is left out, because it would be downloaded.
 set -euo pipefail
 # shellcheck source=tests/fixtures/shell.sh
@@ -34,9 +35,19 @@ tar -tvf "$folder/one/"*.tar.gz --full-time --numeric-owner >"$folder/entries"
 ! awk '{ print $6 }' "$folder/entries" | grep -vE "^$name/" || complain "not all is in the folder $name"
 ! awk '{ print $6 }' "$folder/entries" | grep -E "^$name/(\.git/|reference/|fast/|tests/)" || complain 'it has what is not for learners'
 
-# Unpacked elsewhere, without a compiler cache, the learner's file alone is compiled.
 mkdir "$folder/another place"
 tar -C "$folder/another place" -xf "$folder/one/"*.tar.gz
+
+# No file for learners has a long line of the reference.
+trimmed() { cat "$@" | sed 's/^ *//; s/ *$//' | sort -u; }
+mapfile -t open < <(find student pt -name '*.cpp' -o -name '*.h' -o -name '*.md')
+comm -23 <(trimmed {reference,fast}/*/*.cpp fast/*/*.h) <(trimmed "${open[@]}") | grep -E '.{41}' >"$folder/lines"
+[ "$(wc -l <"$folder/lines")" -gt 100 ] || complain 'the reference has hardly any lines: this looks for nothing'
+! grep -raFf "$folder/lines" "$folder/another place" || complain 'it has lines of the reference'
+! nm "$folder/another place/$name"/reference-objects/{,mistakes/}*.o | grep -i ' [tbdr] .*_GLOBAL__N_' ||
+  complain 'the objects name what is local to the reference'
+
+# Unpacked elsewhere, without a compiler cache, the learner's file alone is compiled.
 cd "$folder/another place/$name"
 export CCACHE_DISABLE=1
 expect 1 'not attempted' ./run grade hit_triangle --no-pictures

@@ -113,7 +113,16 @@ void trace_row(Disk& disk, const pt::Scene& scene, int row) {
   for (int i = 0; i < 2; ++i) disk.rows[i][row] = sums[i];
 }
 
-// One draw of each light that rays do not meet: light without a size or without a surface. Its reflected light.
+// Returns whether a ray meets the light that was drawn, so that the rays of the disk have it already.
+bool is_met(const pt::Scene& scene, const pt::SurfacePoint& point, const pt::LightSample& sample) {
+  if (sample.delta) return false;
+  const pt::Ray ray = spawn_ray(point, sample.wi);
+  const auto hit = scene.closest(ray);
+  return hit && std::abs(hit->t - sample.distance) < 1e-3 * sample.distance &&
+         !is_black(surface_point(scene, ray, *hit).emission);
+}
+
+// What is reflected, by one draw of each light that rays do not meet: light without a size or without a surface.
 double light_without_surface(const Disk& disk, const pt::Scene& scene, pt::Sampler& sampler) {
   const pt::SurfacePoint& point = disk.point;
   const pt::Vec3 wo = point.frame.to_local(point.wo);
@@ -121,15 +130,11 @@ double light_without_surface(const Disk& disk, const pt::Scene& scene, pt::Sampl
   for (const pt::Light& light : scene.lights) {
     if (std::holds_alternative<pt::AmbientLight>(light)) continue;
     const pt::LightSample sample = sample_light(light, point.p, sampler);
+    if (is_black(sample.radiance) || is_met(scene, point, sample)) continue;
     const pt::Vec3 wi = point.frame.to_local(sample.wi);
-    if (!(wi.z > 0) || is_black(sample.radiance)) continue;
-    if (scene.occluded(shadow_ray(point, sample.wi, sample.distance))) continue;
-    const pt::Ray ray = spawn_ray(point, sample.wi);
-    const auto hit = sample.delta ? std::nullopt : scene.closest(ray);
-    const bool has_surface = hit && std::abs(hit->t - sample.distance) < 1e-3 * sample.distance &&
-                             !is_black(surface_point(scene, ray, *hit).emission);
-    if (has_surface) continue;
-    sum += luminance(diffuse_f(point.albedo, wo, wi) * sample.radiance) * wi.z / sample.pdf;
+    const double seen = scene.occluded(shadow_ray(point, sample.wi, sample.distance)) ? 0 : 1;
+    const double weight = seen * std::max(wi.z, 0.0) / sample.pdf;
+    sum += weight * luminance(diffuse_f(point.albedo, wo, wi) * sample.radiance);
   }
   return sum;
 }
