@@ -44,7 +44,7 @@ inline constexpr const char* kRangesNotApart = "bounces cannot be taken apart";
 // The tasks whose code the pixels depend on.
 std::set<std::string> tasks_used(const Spec& spec);
 
-// The options of ./run render that make the same picture in full size.
+// The command that makes the same picture in full size; with more than pt::kRound samples, with other noise.
 std::string render_command(const Spec& spec, const std::string& output);
 
 }  // namespace measure

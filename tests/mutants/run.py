@@ -101,7 +101,8 @@ class Copy:
 
     def status(self, command, place):
         with open(self.folder / "log", "w") as log:
-            child = subprocess.Popen(["bash", "-c", command], cwd=place, stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True)
+            child = subprocess.Popen(["bash", "-c", command], cwd=place, env=os.environ | {"GTEST_FAIL_FAST": "1"}, stdin=subprocess.DEVNULL,
+                                     stdout=log, stderr=log, start_new_session=True)
             try:
                 return child.wait(None if "ninja" in command or "cmake" in command else SECONDS)
             except subprocess.TimeoutExpired:
