@@ -140,11 +140,13 @@ inline void exchange_or_add_in(const std::vector<pt::Vec3*>& vectors) {
   more += std::exchange(less, 0);
 }
 
-// The same of a ray, whose direction has to keep a length.
+// The same of a ray, whose direction keeps a length that contracts name: from a billionth to a billion. What
+// is almost zero can be all that an exchange leaves of it.
 inline void exchange_or_add_in(pt::Ray& ray) {
   const pt::Vec3 direction = ray.direction;
   exchange_or_add_in({&ray.origin, &ray.direction});
-  if (ray.direction == pt::Vec3{}) ray.direction = direction;
+  const double now = length(ray.direction);
+  if (!(now >= 1e-9 && now <= 1e9)) ray.direction = direction;
 }
 
 // The same of a box, whose sides may have to change places afterwards.

@@ -2,6 +2,7 @@
 
 #include "grader/check/generators/cameras.h"
 #include "grader/check/generators/generators.h"
+#include "grader/check/generators/special.h"
 #include "grader/check/language/fail.h"
 #include "grader/check/language/find_failure.h"
 #include "grader/check/language/two_numbers.h"
@@ -258,6 +259,20 @@ TEST(Property, stays_in_the_range_of_its_generators) {
 }
 
 // All shrinks of these values lie in the range too, and shrinking ends.
+// A direction may have one component, and others so small that their squares are zero.
+TEST(Property, exchanges_numbers_of_a_ray_but_leaves_its_direction_a_length) {
+  check::for_all(
+      [] {
+        pt::Ray ray{*check::point(10), {}};
+        ray.direction[*check::whole(0, 2)] = *check::any_length();
+        ray.direction = check::with_other_zeros(ray.direction);
+        check::exchange_or_add_in(ray);
+        const double now = length(ray.direction);
+        check::expect(now > 0.99e-9 && now < 1.01e9, "a billionth to a billion", check::show(now));
+      },
+      2000);
+}
+
 TEST(Property, shrinks_within_the_range_and_ends) {
   for (const auto& [low, high] :
        {std::pair{0.0, 1.0}, std::pair{0.1, 0.15}, std::pair{-7.0, 1e3}}) {
