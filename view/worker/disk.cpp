@@ -122,7 +122,8 @@ bool is_met(const pt::Scene& scene, const pt::SurfacePoint& point, const pt::Lig
          !is_black(surface_point(scene, ray, *hit).emission);
 }
 
-// What is reflected, by one draw of each light that rays do not meet: light without a size or without a surface.
+// Returns the reflected light of those lights that no ray of the disk meets: they have no size, or no surface.
+// It is an estimate from one draw of each.
 double light_without_surface(const Disk& disk, const pt::Scene& scene, pt::Sampler& sampler) {
   const pt::SurfacePoint& point = disk.point;
   const pt::Vec3 wo = point.frame.to_local(point.wo);

@@ -258,7 +258,6 @@ TEST(Property, stays_in_the_range_of_its_generators) {
   });
 }
 
-// All shrinks of these values lie in the range too, and shrinking ends.
 // A direction may have one component, and others so small that their squares are zero.
 TEST(Property, exchanges_numbers_of_a_ray_but_leaves_its_direction_a_length) {
   check::for_all(
@@ -273,6 +272,7 @@ TEST(Property, exchanges_numbers_of_a_ray_but_leaves_its_direction_a_length) {
       2000);
 }
 
+// All shrinks of these values lie in the range too, and shrinking ends.
 TEST(Property, shrinks_within_the_range_and_ends) {
   for (const auto& [low, high] :
        {std::pair{0.0, 1.0}, std::pair{0.1, 0.15}, std::pair{-7.0, 1e3}}) {
