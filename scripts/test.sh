@@ -68,6 +68,7 @@ run_tests() {
     esac
   done
   if [ "$tier" = long ]; then
+    [ ${#options[@]} -eq 0 ] || fail "the long tests take no options, but '${options[0]}' is one: name pieces, or none for all of them"
     [ ${#names[@]} -gt 0 ] || say_how_long long
     (setup test) || true
     lock_tree

@@ -24,6 +24,7 @@ refuses "--seed takes a whole number" grade hit_triangle --from student --seed o
 refuses "--coverage counts how often the lines of your own files run" grade hit_triangle --from reference --coverage
 refuses "--html cannot be used with --from" grade hit_triangle --from student --html page.html
 refuses "there is no 'nosuch'; ./run help lists the commands" nosuch
+refuses "the long tests take no options, but '--list' is one" test --long --list
 refuses "say which task" debug
 refuses "'hit_me' is not a task" debug hit_me
 # Where there is no Linux, learners' code is tested without a box, and the commands that judge are not there.
