@@ -23,9 +23,11 @@ firstlight_test(test_goldens rest PATHS SOURCES grader/pictures/goldens_test.cpp
   RADIANCE recorded)
 firstlight_test(test_engines rest PATHS SOURCES pt/render/engines_test.cpp LIBRARIES grader_pictures pt_loader RADIANCE recorded)
 
-# Renderers of others, which need a box.
+# What needs a box: renderers of others, attacks of work in the skeleton of a course, and hostile examples.
 if(NOT FIRSTLIGHT_SANITIZE)
   firstlight_script_test(judge quick grader/renderers/judge.sh ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS judge)
+  firstlight_script_test(course_attacks rest grader/door/attacks.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
+  firstlight_script_test(examples quick grader/examples/examples.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS grade_examples examples.hit_sphere)
 endif()
 
 # Work in the skeleton of a course.
@@ -37,10 +39,8 @@ endforeach()
 firstlight_script_test(course_right_few rest grader/door/right_clones.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader few NEEDS grade graded)
 firstlight_script_test(course_right_all long grader/door/right_clones.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
 firstlight_script_test(course_dialects rest grader/door/dialects.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
-firstlight_script_test(course_attacks rest grader/door/attacks.py ARGUMENTS ${PROJECT_BINARY_DIR}/grader NEEDS grade graded)
 
 # Learners' examples of tasks.
-firstlight_script_test(examples quick grader/examples/examples.sh ARGUMENTS ${PROJECT_BINARY_DIR} NEEDS grade_examples examples.hit_sphere)
 firstlight_script_test(examples_of_a_class rest grader/examples/class.sh ARGUMENTS ${PROJECT_BINARY_DIR}
   NEEDS grade grade_class grade_examples graded.hit_sphere known.hit_sphere examples.hit_sphere)
 set(needed)

@@ -65,8 +65,8 @@ firstlight_script_test(autograder long commands/autograder.sh ${build} NEEDS gra
 # In pieces, each of which ends within 40 minutes on two idle cores.
 foreach(part RANGE 1 8)
   firstlight_script_test(mutants_${part} long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants --part ${part} 8)
-  firstlight_script_test(drawn_mutants_${part} long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants --draw 25)
 endforeach()
+firstlight_script_test(drawn_mutants long mutants/run.py ARGUMENTS ${PROJECT_BINARY_DIR}/mutants --draw 25)
 foreach(task IN LISTS FIRSTLIGHT_TASKS)
   get_filename_component(task ${task} NAME)
   firstlight_script_test(small_changes_${task} long mutants/small_changes.py ARGUMENTS ${PROJECT_BINARY_DIR} ${task})
