@@ -120,7 +120,8 @@ TEST(Paths, add_up) {
   const char* const choice = std::getenv("VIEW_TRACE_PATH");
   const std::string trace_path = choice == nullptr ? "reference" : choice;
   const bool is_recursive = kRecursive.contains(trace_path);
-  const bool works_by_paths = trace_path != "two_first_directions";
+  const bool works_by_paths =
+      trace_path != "two_first_directions" && trace_path != "splits_at_the_second_point";
   int paths = 0, exact = 0;
   for_pixels([&](const char*, const PixelPaths& pixel) {
     for (const Path& path : pixel.paths) {
@@ -130,8 +131,8 @@ TEST(Paths, add_up) {
       EXPECT_TRUE(path.is_one && !path.lost_point);
       EXPECT_TRUE(adds_up(path) || (is_recursive && close(sum_of_parts(path), path.traced, 1e-14)));
       EXPECT_EQ(path.value, pt::Rgb{} + path.emission + path.traced);
-      // Its survival at a point without light is not told by the parts.
-      if (breaks() != "none" || trace_path == "survival_by_throughput") continue;
+      // Survival at a point without light is not told by the parts, and a share of the light is none.
+      if (breaks() != "none" || trace_path == "survival_by_throughput" || !works_by_paths) continue;
       for (const Bounce& at : path.bounces) {
         if (at.direct.empty() || is_black(at.part)) continue;
         EXPECT_TRUE(close(at.part, at.throughput * at.direct[0].light, 1e-5));
@@ -157,6 +158,30 @@ TEST(Paths, show_light_that_a_black_surface_reflects) {
   EXPECT_TRUE(findings(pt::Rgb{}).empty());
   ASSERT_EQ(findings(pt::gray(0.5)).size(), 1U);
   EXPECT_EQ(findings(pt::gray(0.5))[0].promise, "tints_at_each_bounce");
+}
+
+// The third point's light is divided by the survival. To multiply by it is a mistake; a task that goes on in two directions
+// gives half of the light to each.
+TEST(Paths, may_share_the_light_between_two_directions) {
+  const auto findings = [](double weight) {
+    Path path;
+    path.bounces.resize(3);
+    path.bounces[1].drawn = {0.3};
+    for (std::size_t k = 0; k < 3; ++k) {
+      Bounce& bounce = path.bounces[k];
+      bounce.point.albedo = pt::gray(0.5);
+      bounce.direct = {{"direct_lights", 1, pt::gray(1)}};
+      if (k < 2) bounce.next = {{{0, 0, 1}, pt::gray(0.5 / pt::kPi), 1 / pt::kPi}};
+      bounce.part = pt::gray(std::pow(0.5, static_cast<double>(k)) * (k == 2 ? weight : 1));
+      path.traced += bounce.part;
+    }
+    check_path({.light_samples = 1, .survival = 0.7, .to = 3}, path);
+    return path.findings;
+  };
+  EXPECT_TRUE(findings(1 / 0.7).empty());
+  EXPECT_TRUE(findings(1 / (2 * 0.7)).empty());
+  ASSERT_EQ(findings(0.7).size(), 1U);
+  EXPECT_EQ(findings(0.7)[0].promise, "does_not_depend_on_survival");
 }
 
 // A path ends at its second point: one number that is drawn at the first one may say so.

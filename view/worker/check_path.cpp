@@ -100,15 +100,15 @@ void explain(int bounce, double step, const Bounce& before, const pt::PathSettin
                      "it is " + number(step) + " times the throughput and direct light: " + text});
   };
   const double cosine = std::abs(sample.wi.z);
+  if (bounce > 2) return add("does_not_depend_on_survival", "it is multiplied by the survival");
   if (close(step * cosine, 1)) return add("weighs_by_the_cosine", "the cosine is missing");
   if (close(step, cosine)) return add("weighs_by_the_cosine", "the cosine is there twice");
   if (close(step, sample.pdf)) {
     return add("divides_by_the_pdf_of_the_sample", "it is not divided by the pdf");
   }
-  if (bounce == 2 && close(step * settings.survival, 1)) {
+  if (close(step * settings.survival, 1)) {
     return add("takes_the_first_bounce_always", "it is divided by the survival");
   }
-  if (bounce > 2) return add("does_not_depend_on_survival", "it is not divided by the survival");
   add("divides_by_the_pdf_of_the_sample", "this is not f cos / pdf of the direction");
 }
 
@@ -137,7 +137,9 @@ void check_parts(const pt::PathSettings& settings, Path& path) {
           return add("starts_with_direct_light", "direct light is not added as it is");
         }
         const double step = ratio / so_far;
-        const bool is_fine = bounce <= 2 ? close(step, 1) : step > 1 - 1e-4;
+        // From the third point on a task may have a survival of its own, or share the light between two directions that go on.
+        const bool is_fine =
+            bounce <= 2 ? close(step, 1) : step > 1 - 1e-4 || !close(step, settings.survival);
         if (!is_fine && told + 1 == i) {
           return explain(bounce, step, path.bounces[i - 1], settings, path.findings);
         }

@@ -27,7 +27,9 @@ struct Direct {
   std::string_view task;
   int samples = 0;
   pt::Rgb light;
-  bool plain = true;  // directions come from the lights alone, or from the hemisphere alone
+  // Directions come from the lights alone, or from the hemisphere alone. With numbers of its own direct_lights chooses between them, as
+  // resampling and roulette do, and one call does not tell whether the choice is weighed.
+  bool plain = true;
   std::vector<Draw> draws{};
 };
 

@@ -70,6 +70,19 @@ Draw hemisphere_draw(const pt::Scene& scene, const pt::SurfacePoint& point, cons
   return draw;
 }
 
+// The draw that a shadow ray asks about: the nearest direction of which none has asked. Some draw several times, and then trace.
+Draw* draw_towards(std::vector<Draw>& draws, pt::Vec3 wi) {
+  Draw* found = nullptr;
+  double nearest = 1e-3;
+  for (Draw& draw : draws) {
+    const double apart = length(wi - draw.sample.wi);
+    if (draw.was_traced || !(apart < nearest)) continue;
+    found = &draw;
+    nearest = apart;
+  }
+  return found;
+}
+
 Bounce* bounce_at(Path& path, pt::Vec3 p) {
   const auto found = std::find_if(path.bounces.rbegin(), path.bounces.rend(),
                                   [&](const Bounce& bounce) { return bounce.point.p == p; });
@@ -239,21 +252,28 @@ pt::Rgb sample(PixelPaths& pixel, const pt::Scene& scene, const pt::Ray& ray,
 Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std::size_t at) {
   const auto [of, point, samples] = in<const pt::Scene*, pt::SurfacePoint, int>(calls[at]);
   Direct direct{calls[at].name, samples, out<pt::Rgb>(calls[at]), true, {}};
+  pt::Sampler::State last = calls[at].before;
+  bool draws_own_numbers = false;
   for (std::size_t i = at + 1; i < calls[at].end; ++i) {
     const pt::Call& call = calls[i];
     direct.plain = direct.plain && call.name != "diffuse_sample";
-    if (call.name == "sample_light") direct.draws.push_back(light_draw(scene, point, call));
+    if (call.name == "sample_light") {
+      draws_own_numbers = draws_own_numbers || call.before != last;
+      last = call.after;
+      direct.draws.push_back(light_draw(scene, point, call));
+    }
     if (call.name == "closest") direct.draws.push_back(hemisphere_draw(scene, point, call));
-    if (call.name == "occluded" && !direct.draws.empty()) {
-      Draw& draw = direct.draws.back();
+    if (call.name == "occluded") {
       const pt::Ray ray = std::get<1>(in<const pt::Scene*, pt::Ray>(call));
-      // A ray in another direction does not ask about this draw.
-      if (draw.was_traced || !(length(normalize(ray.direction) - draw.sample.wi) < 1e-3)) continue;
-      draw.ray = ray;
-      draw.was_traced = true;
-      draw.is_hidden = out<bool>(call);
+      if (Draw* const draw = draw_towards(direct.draws, normalize(ray.direction))) {
+        draw->ray = ray;
+        draw->was_traced = true;
+        draw->is_hidden = out<bool>(call);
+      }
     }
   }
+  draws_own_numbers = draws_own_numbers || calls[at].after != last;
+  direct.plain = direct.plain && !(direct.task == "direct_lights" && draws_own_numbers);
   return direct;
 }
 
