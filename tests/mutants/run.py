@@ -6,8 +6,8 @@ run.py FOLDER --draw N [--seed S] [PATH]...
 Tests the tests of the framework: puts one mistake after the other into a copy of the project in FOLDER, builds the programs of its tests and
 runs them there; one must fail. The mistakes are those of mutants.txt, or with --draw N small changes (edits_of_tokens.py), drawn from the
 folders of folders.txt, or from those files of them that lie in PATH. --part K N takes every N-th mistake, from the K-th on. A seed is chosen and printed if none is given. Found ones are
-kept in FOLDER, so that a run may be stopped and started again, a draw with its seed. --check runs nothing; it says which entries of
-mutants.txt do not fit their files any more.
+kept in FOLDER, so that a run may be stopped and started again, a draw with its seed. --check builds nothing; it says which entries
+of mutants.txt do not fit their files any more, and draws one.
 
 A drawn change that no test finds is printed in the form of small_changes.txt: mend the test or the code; or, if the change is right,
 keep it there, below the reason. One that leaves the programs of its tests as they are, byte by byte, is no change.
@@ -78,12 +78,12 @@ def drawn(count, seed, paths):
         source = (ROOT / file).read_text()
         # Single precision is nearly always enough, and an assertion may say less.
         changed = [(text, place) for text, place in changed_files(source).items()
-                   if place[2] != "float" and not shown(source, *place)[0].startswith("assert(")]
+                   if place[2] != "float" and not shown(source, place)[0].startswith("assert(")]
         if changed and len(mistakes) < count:
             text, place = random_numbers.choice(changed)
             names = tests[folder_of[file]]
             command = f"ctest --no-tests=error --stop-on-failure --output-on-failure -R '^({'|'.join(map(re.escape, names))})$'"
-            mistakes[file, text] = Mistake("", file, text, command, names, "", *shown(source, *place))
+            mistakes[file, text] = Mistake("", file, text, command, names, "", *shown(source, place))
     return sorted(mistakes.values())
 
 
@@ -176,8 +176,9 @@ def main():
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(10**6))
     options = parser.parse_intermixed_args()
     if options.check:
-        print(f"{len(edits('list=name').splitlines())} mistakes fit their files")
-        return
+        count = len(drawn(1, 1, []))
+        print(f"{len(edits('list=name').splitlines())} mistakes fit their files, and {count} is drawn")
+        sys.exit(0 if count == 1 else 1)
     if not options.folder:
         fail("say where: run.py FOLDER")
     known_reasons = reasons()
