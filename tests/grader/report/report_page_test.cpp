@@ -356,8 +356,8 @@ TEST_F(Page, a_picture_of_two_tasks_is_in_it_once) {
 }
 
 TEST_F(Page, pictures_of_two_sizes_are_not_compared) {
-  pt::write_exr(run.tasks[6].pictures[1].render, pt::Film(95, 72));
-  EXPECT_THAT(to_html(run), HasSubstr("The render has 95 x 72 pixels, the golden 96 x 72."));
+  pt::write_exr(run.tasks[6].pictures[1].render, pt::Film(95, 71));
+  EXPECT_THAT(to_html(run), HasSubstr("The render has 95 x 71 pixels, the golden 96 x 72."));
 }
 
 TEST_F(Page, a_picture_that_is_not_finite_is_shown) {
