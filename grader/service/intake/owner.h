@@ -75,7 +75,7 @@ class Owners {
   std::vector<std::vector<std::string>> may_be_two(
       const std::vector<std::vector<std::string>>& paths) const;
 
-  std::size_t depth_ = 0;
+  std::size_t depth_;
   Labels labels_;
   std::vector<std::vector<std::string>> in_doubt_;
 };
