@@ -107,7 +107,9 @@ TEST_F(ServerTest, says_in_one_sentence_what_is_wrong) {
             std::pair(400, std::string("that is wrong\n")));
   EXPECT_EQ(get("/nothing" + with_token_).first, 404);
   EXPECT_EQ(get("/scene" + with_token_ + "&w=1&w=2").first, 400);
-  EXPECT_THAT(get("/scene" + with_token_ + "&from=reference").second, HasSubstr("no reference"));
+  const auto [status, sentence] = get("/scene" + with_token_ + "&from=reference");
+  EXPECT_EQ(status, 400);
+  EXPECT_THAT(sentence, HasSubstr("no reference"));
 }
 
 TEST_F(ServerTest, survives_a_crash_of_the_tasks) {
