@@ -31,12 +31,13 @@ firstlight_view_test(half_of_f rest f_reflects_the_albedo diffuse_bsdf=half_of_f
 firstlight_view_test(no_shadow_ray rest adds_the_lights_up direct_lights=no_shadow_ray)
 firstlight_view_test(farther_hit_overwrites rest finds_the_nearest_hit hit_bvh=farther_hit_overwrites)
 firstlight_view_test(normal_inwards rest returns_the_outward_unit_normal hit_sphere=normal_inwards)
-firstlight_view_test(right_ones rest none trace_path=survival_by_throughput direct_lights=resampled_draws diffuse_bsdf=uniform
+firstlight_view_test(right_ones rest none trace_path=survival_by_throughput direct_lights=any_order diffuse_bsdf=uniform
   hit_bvh=iterative camera_ray=single_precision estimate_pixel=stratified hit_sphere=float_normal hit_triangle=float_normal)
 firstlight_view_test(other_right_ones rest none trace_path=two_first_directions direct_lights=multiple_importance
   diffuse_bsdf=rejection hit_bvh=priority_queue build_bvh=morton_codes direct_hemisphere=stratified hit_triangle=watertight)
 firstlight_view_test(more_right_ones rest none trace_path=path_first_light_afterwards direct_lights=shadow_ray_of_its_own
   diffuse_bsdf=in_float direct_hemisphere=in_float hit_sphere=textbook estimate_pixel=float_sum)
+firstlight_view_test(right_ones_that_choose rest none trace_path=splits_at_the_second_point direct_lights=resampled_draws)
 # view_right_<i>: the i-th right variant of each task that has so many.
 foreach(i RANGE 100)
   set(choices)

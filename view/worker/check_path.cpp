@@ -99,8 +99,8 @@ void explain(int bounce, double step, const Bounce& before, const pt::PathSettin
     found.push_back({bounce, "part", "trace_path", promise,
                      "it is " + number(step) + " times the throughput and direct light: " + text});
   };
-  const double cosine = std::abs(sample.wi.z);
   if (bounce > 2) return add("does_not_depend_on_survival", "it is multiplied by the survival");
+  const double cosine = std::abs(sample.wi.z);
   if (close(step * cosine, 1)) return add("weighs_by_the_cosine", "the cosine is missing");
   if (close(step, cosine)) return add("weighs_by_the_cosine", "the cosine is there twice");
   if (close(step, sample.pdf)) {

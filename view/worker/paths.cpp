@@ -70,7 +70,8 @@ Draw hemisphere_draw(const pt::Scene& scene, const pt::SurfacePoint& point, cons
   return draw;
 }
 
-// The draw that a shadow ray asks about: the nearest direction of which none has asked. Some draw several times, and then trace.
+// The draw that a shadow ray asks about: in the nearest direction, and no other ray has asked about it. Some tasks draw several
+// times before they trace.
 Draw* draw_towards(std::vector<Draw>& draws, pt::Vec3 wi) {
   Draw* found = nullptr;
   double nearest = 1e-3;
@@ -253,12 +254,12 @@ Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std
   const auto [of, point, samples] = in<const pt::Scene*, pt::SurfacePoint, int>(calls[at]);
   Direct direct{calls[at].name, samples, out<pt::Rgb>(calls[at]), true, {}};
   pt::Sampler::State last = calls[at].before;
-  bool draws_own_numbers = false;
+  const bool may_draw_numbers = direct.task != "direct_lights";
   for (std::size_t i = at + 1; i < calls[at].end; ++i) {
     const pt::Call& call = calls[i];
     direct.plain = direct.plain && call.name != "diffuse_sample";
     if (call.name == "sample_light") {
-      draws_own_numbers = draws_own_numbers || call.before != last;
+      direct.plain = direct.plain && (may_draw_numbers || call.before == last);
       last = call.after;
       direct.draws.push_back(light_draw(scene, point, call));
     }
@@ -272,8 +273,7 @@ Direct direct_of(const pt::Scene& scene, const std::vector<pt::Call>& calls, std
       }
     }
   }
-  draws_own_numbers = draws_own_numbers || calls[at].after != last;
-  direct.plain = direct.plain && !(direct.task == "direct_lights" && draws_own_numbers);
+  direct.plain = direct.plain && (may_draw_numbers || calls[at].after == last);
   return direct;
 }
 
